@@ -1,0 +1,3 @@
+//! The eigenbody command.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Robot files and expressions to models.

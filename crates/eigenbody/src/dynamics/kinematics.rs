@@ -1,0 +1,73 @@
+//! The position pass that every algorithm starts with.
+//!
+//! ```text
+//! for i = 1..N:   [X_J, S_i] = joint_i(q_i)      X_up_i = X_J X_tree_i
+//! ```
+//! Featherstone (2008), §4.4. Cost O(N): one sine-cosine pair an angle and one product of rotations.
+
+use crate::error::InputError;
+use crate::model::Model;
+use crate::scalar::{Real, Scalar};
+use crate::spatial::{Motion, Transform};
+
+/// Where every body stands against its parent, and along which columns it moves.
+#[derive(Debug, Clone)]
+pub struct Kinematics<T> {
+    /// N: from the parent's frame to the body's. Written by [`update`](Self::update).
+    pub(crate) X_up: Vec<Transform<T>>,
+    /// nv: motion subspace columns, each in its body's frame. Written by [`update`](Self::update).
+    pub(crate) S: Vec<Motion<T>>,
+}
+
+impl<T: Scalar> Kinematics<T> {
+    /// Room for a model.
+    pub fn new(model: &Model<T>) -> Self {
+        Self { X_up: vec![Transform::IDENTITY; model.bodies.len()], S: vec![Motion::ZERO; model.nv()] }
+    }
+
+    /// X_up and S at q. The caller has checked q.
+    #[inline(always)]
+    pub(crate) fn update(&mut self, model: &Model<T>, q: &[T]) {
+        for (body, X_up) in model.bodies.iter().zip(&mut self.X_up) {
+            let X_J = body.joint.kinematics(&q[body.coordinates()], &mut self.S[body.dofs()]);
+            *X_up = X_J * body.X_tree;
+        }
+    }
+}
+
+/// Pose of a link in the world: the transform from the world's frame to the link's own.
+///
+/// | name | shape | unit |
+/// |------|-------|------|
+/// | `q` | `nq` | rad, m, unit quaternion |
+/// | `link` | index into [`Model::links`] | – |
+///
+/// `E` turns world coordinates into the link's, `r` is the link's origin in the world (m). Cost O(depth).
+///
+/// Errors: [`InputError`] if q does not fit the model.
+///
+/// # Panics
+///
+/// If `link` is not below `model.links().len()`.
+///
+/// ```
+/// use eigenbody::{Family, dynamics::link_pose};
+/// let robot = Family::hydra(2, 1.0, 0.0, 1.0)?.model::<f64>()?;
+/// let tip = link_pose(&robot, &[0.0, std::f64::consts::FRAC_PI_2], 2)?;
+/// assert!((tip.r.x - 1.0).abs() < 1e-15 && tip.r.y.abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn link_pose<T: Real>(model: &Model<T>, q: &[T], link: usize) -> Result<Transform<T>, InputError> {
+    model.check_q(q)?;
+    let info = &model.links[link];
+    let mut X = info.X_link;
+    let mut i = info.body();
+    let mut S = [Motion::ZERO; 6];
+    while let Some(b) = i {
+        let body = &model.bodies[b];
+        let X_J = body.joint.kinematics(&q[body.coordinates()], &mut S[..body.joint.nv()]);
+        X = X * X_J * body.X_tree;
+        i = body.parent();
+    }
+    Ok(X)
+}

@@ -1,0 +1,22 @@
+//! Rigid-body dynamics: one algorithm a file, each opening with its pseudo-code.
+//!
+//! Every algorithm has two doors: `f(&model, ..) -> Result<..>` allocates what it needs; `f_into(&model, .., &mut workspace,
+//! &mut out)` allocates nothing and writes its output whole.
+
+mod aba;
+mod bias;
+mod crba;
+mod energy;
+mod floating;
+mod kinematics;
+mod momentum;
+mod rnea;
+
+pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
+pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
+pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
+pub use energy::{Energy, energy, energy_into};
+pub use floating::{floating_mass_matrix, floating_mass_matrix_into};
+pub use kinematics::{Kinematics, link_pose};
+pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
+pub use rnea::{RneaWorkspace, inverse_dynamics, inverse_dynamics_into};

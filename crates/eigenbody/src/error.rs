@@ -1,0 +1,86 @@
+//! What can go wrong with an input. Every failure says where and what was expected.
+
+use thiserror::Error;
+
+/// An argument that a function cannot work with.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum InputError {
+    /// A slice of the wrong length.
+    #[error("{what} has {found} numbers, expected {expected}")]
+    Length {
+        /// Name of the argument, in the words of NOTATION.md.
+        what: &'static str,
+        /// Length that the model asks for.
+        expected: usize,
+        /// Length that was given.
+        found: usize,
+    },
+    /// A NaN or an infinity.
+    #[error("{what}[{index}] is not a finite number")]
+    NotFinite {
+        /// Name of the argument.
+        what: &'static str,
+        /// Position of the first offender.
+        index: usize,
+    },
+    /// Four numbers that are not a unit quaternion to within 1e-6.
+    #[error("q[{index}..{}] of joint '{joint}' has norm {norm}, expected a unit quaternion w, x, y, z", index + 4)]
+    NotUnitQuaternion {
+        /// The joint whose coordinates they are.
+        joint: String,
+        /// Position of w in q.
+        index: usize,
+        /// Norm of the four numbers.
+        norm: f64,
+    },
+    /// A weight that must be positive and is not.
+    #[error("{what}[{index}] = {value}, expected a positive number")]
+    NotPositive {
+        /// Name of the argument.
+        what: &'static str,
+        /// Position of the first offender.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A dense matrix that would not fit.
+    #[error("a dense matrix of {nv} × {nv} entries is too large (limit {limit} × {limit})")]
+    TooLargeForDense {
+        /// Degrees of freedom of the model.
+        nv: usize,
+        /// Largest dimension that is formed.
+        limit: usize,
+    },
+    /// The operation needs a floating base and the model has none.
+    #[error("the model has no floating base")]
+    NoFloatingBase,
+}
+
+/// Elimination met a pivot that is not positive: H is singular or indefinite to working precision.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("the mass matrix is not positive definite: pivot {pivot:e} at degree of freedom {dof}")]
+pub struct NotPositiveDefinite {
+    /// DoF at which elimination stopped.
+    pub dof: usize,
+    /// Value of the pivot.
+    pub pivot: f64,
+}
+
+/// Any failure of an algorithm on a model.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum Error {
+    /// The input was refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The mass matrix is singular or indefinite.
+    #[error(transparent)]
+    NotPositiveDefinite(#[from] NotPositiveDefinite),
+    /// An iteration did not settle; the matrix is returned to the user's care.
+    #[error("eigenvalue {index} did not converge in {iterations} iterations")]
+    NoConvergence {
+        /// Position of the eigenvalue in the tridiagonal matrix.
+        index: usize,
+        /// Iterations spent on it.
+        iterations: usize,
+    },
+}

@@ -1,0 +1,83 @@
+//! Factorisations of H that keep its branch-sparse pattern.
+//!
+//! Elimination runs from the tips inwards, so that no entry between different branches ever fills in (Featherstone 2008,
+//! §6.5). Both factorisations have the same doors: `new`, `factor`, `solve`, `inverse_into`, `reconstruct_into`.
+
+mod ltdl;
+mod ltl;
+
+pub use ltdl::Ltdl;
+pub use ltl::Ltl;
+
+use crate::error::{InputError, NotPositiveDefinite};
+use crate::matrix::Matrix;
+use crate::model::DofTree;
+use crate::scalar::Real;
+
+/// What a successful factorisation found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Info {
+    /// DoF of the smallest pivot, and the pivot.
+    pub smallest: (usize, f64),
+    /// DoF of the largest pivot, and the pivot.
+    pub largest: (usize, f64),
+}
+
+impl Info {
+    const EMPTY: Self = Self { smallest: (0, f64::INFINITY), largest: (0, 0.0) };
+
+    /// Largest over smallest pivot.
+    pub fn pivot_ratio(&self) -> f64 {
+        self.largest.1 / self.smallest.1
+    }
+
+    /// Takes note of a pivot, and refuses one that is not positive.
+    fn accept<T: Real>(&mut self, dof: usize, pivot: T) -> Result<(), NotPositiveDefinite> {
+        let value = pivot.to_f64();
+        if !(pivot > T::ZERO && value.is_finite()) {
+            return Err(NotPositiveDefinite { dof, pivot: value });
+        }
+        if value < self.smallest.1 {
+            self.smallest = (dof, value);
+        }
+        if value > self.largest.1 {
+            self.largest = (dof, value);
+        }
+        Ok(())
+    }
+}
+
+fn check_square<T: Real>(what: &'static str, A: &Matrix<T>, tree: &DofTree) -> Result<(), InputError> {
+    let n = tree.len();
+    match (A.rows(), A.cols()) {
+        (rows, _) if rows != n => Err(InputError::Length { what, expected: n, found: rows }),
+        (_, cols) if cols != n => Err(InputError::Length { what, expected: n, found: cols }),
+        _ => Ok(()),
+    }
+}
+
+fn check_length<T>(what: &'static str, x: &[T], tree: &DofTree) -> Result<(), InputError> {
+    match x.len() {
+        found if found != tree.len() => Err(InputError::Length { what, expected: tree.len(), found }),
+        _ => Ok(()),
+    }
+}
+
+/// The inverse column by column, both triangles, from any solver.
+fn inverse_by_columns<T: Real>(inverse: &mut Matrix<T>, mut solve: impl FnMut(&mut [T])) {
+    let n = inverse.rows();
+    inverse.fill(T::ZERO);
+    for d in 0..n {
+        // H⁻¹ is symmetric: its columns are its rows.
+        let row = inverse.row_mut(d);
+        row[d] = T::ONE;
+        solve(row);
+    }
+    for d in 0..n {
+        for e in 0..d {
+            let mean = (inverse[(d, e)] + inverse[(e, d)]) * T::from_f64(0.5);
+            inverse[(d, e)] = mean;
+            inverse[(e, d)] = mean;
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Exponentials of rotations and twists, for moving a configuration along a velocity.
+
+use crate::scalar::Real;
+use crate::spatial::Vec3;
+
+/// Σ (−x²)ᵏ/(2k+n)!: the entire functions behind sin x/x (n = 1), (1 − cos x)/x² (n = 2) and (x − sin x)/x³ (n = 3).
+///
+/// The series is used below |x| = 1/2, where the closed forms cancel; 14 terms reach 32 digits there.
+fn entire<T: Real>(x: T, n: u32) -> T {
+    let xx = x * x;
+    if x.abs() < T::from_f64(0.5) {
+        let mut sum = T::ZERO;
+        for k in (0..14u32).rev() {
+            // Horner from the far end: each term is the next one's factor −x²/((m+1)(m+2)), m = 2k + n.
+            let m = f64::from(2 * k + n);
+            sum = T::ONE - sum * xx / T::from_f64((m + 1.0) * (m + 2.0));
+        }
+        let factorial = T::from_f64(f64::from((1..=n).product::<u32>()));
+        return sum / factorial;
+    }
+    let (s, c) = x.sin_cos();
+    match n {
+        1 => s / x,
+        2 => (T::ONE - c) / xx,
+        _ => (x - s) / (xx * x),
+    }
+}
+
+/// sin x / x.
+pub(super) fn sinc<T: Real>(x: T) -> T {
+    entire(x, 1)
+}
+
+/// exp(w/2) as a quaternion w, x, y, z: the turn by |w| about w.
+pub(super) fn quaternion_exp<T: Real>(w: Vec3<T>) -> [T; 4] {
+    let half = T::from_f64(0.5);
+    let angle = w.norm() * half;
+    let v = w * (half * sinc(angle));
+    [angle.sin_cos().1, v.x, v.y, v.z]
+}
+
+/// a ⊗ b.
+pub(super) fn quaternion_product<T: Real>(a: [T; 4], b: [T; 4]) -> [T; 4] {
+    let (av, bv) = (Vec3::new(a[1], a[2], a[3]), Vec3::new(b[1], b[2], b[3]));
+    let v = bv * a[0] + av * b[0] + av.cross(bv);
+    [a[0] * b[0] - av.dot(bv), v.x, v.y, v.z]
+}
+
+/// Where the origin goes, in the frame before, when the body moves with the constant body twist (w, u) for unit time:
+/// u + (1−cos θ)/θ² w×u + (θ−sin θ)/θ³ w×(w×u), θ = |w|.
+pub(super) fn twist_translation<T: Real>(w: Vec3<T>, u: Vec3<T>) -> Vec3<T> {
+    let theta = w.norm();
+    let wu = w.cross(u);
+    u + wu * entire(theta, 2) + w.cross(wu) * entire(theta, 3)
+}

@@ -1,0 +1,180 @@
+//! Joint kinds: one enum, one file a kind, one `match`.
+//!
+//! In a model the axis of every single-axis joint is z (ARCHITECTURE, invariant 4), so kinds carry no axis. X_J(q) goes
+//! from the joint's frame on the parent's side to the body's frame; the columns of S are in the body's frame.
+
+mod cylindrical;
+mod floating;
+mod helical;
+mod manifold;
+mod planar;
+mod prismatic;
+mod revolute;
+mod spherical;
+mod universal;
+
+use crate::scalar::{Real, Scalar};
+use crate::spatial::{Motion, Transform, Vec3};
+
+/// How a body moves against its parent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Joint<T> {
+    /// Not at all. Fixed joints are merged when the model is built.
+    Fixed,
+    /// Rotation about the axis: q angle (rad).
+    Revolute,
+    /// Rotation without limits; dynamics as revolute.
+    Continuous,
+    /// Translation along the axis: q displacement (m).
+    Prismatic,
+    /// Rotation about the axis with `pitch` metres of travel a radian: q angle (rad).
+    Helical {
+        /// Travel along the axis a radian (m/rad).
+        pitch: T,
+    },
+    /// Rotation about and translation along the axis: q angle (rad), displacement (m).
+    Cylindrical,
+    /// Rotation about an axis fixed in the parent, then about the axis fixed in the body: q two angles (rad).
+    Universal {
+        /// First axis, a unit vector in the joint's frame.
+        first: Vec3<T>,
+    },
+    /// Motion in the plane normal to the axis: q = x, y (m), angle (rad); v = vx, vy, ωz in the body's frame.
+    Planar,
+    /// Any rotation: q unit quaternion w, x, y, z; v = angular velocity in the body's frame.
+    Spherical,
+    /// Any motion: q = x, y, z (m), w, x, y, z; v = [angular; linear] in the body's frame.
+    Floating,
+}
+
+impl<T: Scalar> Joint<T> {
+    /// Number of coordinates.
+    pub fn nq(&self) -> usize {
+        match self {
+            Self::Fixed => 0,
+            Self::Revolute | Self::Continuous | Self::Prismatic | Self::Helical { .. } => 1,
+            Self::Cylindrical | Self::Universal { .. } => 2,
+            Self::Planar => 3,
+            Self::Spherical => 4,
+            Self::Floating => 7,
+        }
+    }
+
+    /// Number of degrees of freedom.
+    pub fn nv(&self) -> usize {
+        match self {
+            Self::Spherical => 3,
+            Self::Floating => 6,
+            _ => self.nq(),
+        }
+    }
+
+    /// X_J(q), and the columns S_d into `S`.
+    #[inline(always)]
+    pub(crate) fn kinematics(&self, q: &[T], S: &mut [Motion<T>]) -> Transform<T> {
+        match *self {
+            Self::Fixed => Transform::IDENTITY,
+            Self::Revolute | Self::Continuous => revolute::kinematics(q, S),
+            Self::Prismatic => prismatic::kinematics(q, S),
+            Self::Helical { pitch } => helical::kinematics(pitch, q, S),
+            Self::Cylindrical => cylindrical::kinematics(q, S),
+            Self::Universal { first } => universal::kinematics(first, q, S),
+            Self::Planar => planar::kinematics(q, S),
+            Self::Spherical => spherical::kinematics(q, S),
+            Self::Floating => floating::kinematics(q, S),
+        }
+    }
+
+    /// c_J = S° v: what the columns' own change adds to the acceleration. Only a universal joint's columns change.
+    #[inline(always)]
+    pub(crate) fn bias(&self, S: &[Motion<T>], v: &[T]) -> Motion<T> {
+        match self {
+            Self::Universal { .. } => universal::bias(S, v),
+            _ => Motion::ZERO,
+        }
+    }
+
+    /// Position of the quaternion among the joint's coordinates, if it has one.
+    pub fn quaternion(&self) -> Option<usize> {
+        match self {
+            Self::Spherical => Some(0),
+            Self::Floating => Some(3),
+            _ => None,
+        }
+    }
+
+    /// Name of the kind, as in a model file.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Fixed => "fixed",
+            Self::Revolute => "revolute",
+            Self::Continuous => "continuous",
+            Self::Prismatic => "prismatic",
+            Self::Helical { .. } => "helical",
+            Self::Cylindrical => "cylindrical",
+            Self::Universal { .. } => "universal",
+            Self::Planar => "planar",
+            Self::Spherical => "spherical",
+            Self::Floating => "floating",
+        }
+    }
+
+    /// What DoF names add to the joint's name; nothing for one DoF.
+    pub fn dof_suffixes(&self) -> &'static [&'static str] {
+        match self {
+            Self::Fixed => &[],
+            Self::Revolute | Self::Continuous | Self::Prismatic | Self::Helical { .. } => &[""],
+            Self::Cylindrical => &["/angle", "/displacement"],
+            Self::Universal { .. } => &["/first", "/second"],
+            Self::Planar => &["/vx", "/vy", "/wz"],
+            Self::Spherical => &["/wx", "/wy", "/wz"],
+            Self::Floating => &["/wx", "/wy", "/wz", "/vx", "/vy", "/vz"],
+        }
+    }
+
+    /// Whether each DoF is a translation (true, m) or a rotation (false, rad).
+    pub fn translations(&self) -> &'static [bool] {
+        match self {
+            Self::Fixed => &[],
+            Self::Revolute | Self::Continuous | Self::Helical { .. } => &[false],
+            Self::Prismatic => &[true],
+            Self::Cylindrical => &[false, true],
+            Self::Universal { .. } => &[false, false],
+            Self::Planar => &[true, true, false],
+            Self::Spherical => &[false, false, false],
+            Self::Floating => &[false, false, false, true, true, true],
+        }
+    }
+
+    /// The kind in another scalar.
+    pub(crate) fn map<U: Scalar>(&self, f: impl Fn(T) -> U + Copy) -> Joint<U> {
+        match *self {
+            Self::Fixed => Joint::Fixed,
+            Self::Revolute => Joint::Revolute,
+            Self::Continuous => Joint::Continuous,
+            Self::Prismatic => Joint::Prismatic,
+            Self::Helical { pitch } => Joint::Helical { pitch: f(pitch) },
+            Self::Cylindrical => Joint::Cylindrical,
+            Self::Universal { first } => Joint::Universal { first: first.map(f) },
+            Self::Planar => Joint::Planar,
+            Self::Spherical => Joint::Spherical,
+            Self::Floating => Joint::Floating,
+        }
+    }
+}
+
+impl<T: Real> Joint<T> {
+    /// q moved along a constant body velocity for unit time: q ⊕ v, exact on the joint's own manifold.
+    pub fn integrate(&self, q: &[T], v: &[T], out: &mut [T]) {
+        match self {
+            Self::Planar => planar::integrate(q, v, out),
+            Self::Spherical => spherical::integrate(q, v, out),
+            Self::Floating => floating::integrate(q, v, out),
+            _ => {
+                for ((out, &q), &v) in out.iter_mut().zip(q).zip(v) {
+                    *out = q + v;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! From a description to a model: order, frames, merged inertias, derived tables.
+
+use super::body::{Body, JointInfo, LinkInfo, WORLD};
+use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
+use super::error::BuildError;
+use super::topology::{Node, pre_order};
+use super::{DofTree, MAX_BODIES, Model, canonical, coupling, finding};
+use crate::joint::Joint;
+use crate::scalar::Real;
+use crate::spatial::{Mat3, Transform, Vec3};
+
+const BASE_JOINT: &str = "floating_base";
+
+pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<Model<T>, BuildError> {
+    if robot.links.len() > MAX_BODIES {
+        return Err(BuildError::TooManyBodies { count: robot.links.len(), limit: MAX_BODIES });
+    }
+    let mut nodes = pre_order(&robot)?;
+    check_links(&robot)?;
+    robot.joints.iter_mut().enumerate().try_for_each(|(j, spec)| check_joint(JointId(j as u32), spec))?;
+    let mut findings = finding::of_links(&robot);
+
+    if base == Base::Floating {
+        if let Some(j) = robot.joints.iter().position(|spec| spec.name == BASE_JOINT) {
+            return Err(BuildError::DuplicateJoint { joint: JointId(j as u32), name: BASE_JOINT.into() });
+        }
+        nodes[0].joint = Some(robot.joints.len());
+        let root = LinkId(nodes[0].link as u32);
+        robot.joints.push(JointSpec::new(BASE_JOINT, Joint::Floating, root, root));
+    }
+
+    let slots = slots(&robot.joints, base);
+    let (bodies, placed) = place_bodies(&robot, &nodes, &slots);
+    let dofs = dof_tree(&bodies);
+    findings.extend(finding::of_bodies(&robot, &bodies));
+
+    let mut links = Vec::with_capacity(robot.links.len());
+    for ((name, _), (body, X_link)) in robot.links.into_iter().zip(placed) {
+        links.push(LinkInfo { name, body, X_link });
+    }
+    let ids = (0..).map(JointId);
+    let mut moving: Vec<(Slot, JointId, JointSpec<T>)> = slots
+        .into_iter()
+        .zip(ids)
+        .zip(robot.joints)
+        .filter_map(|((slot, id), spec)| Some((slot?, id, spec)))
+        .collect();
+    moving.sort_by_key(|(slot, ..)| slot.v0);
+
+    let mut joints = Vec::with_capacity(moving.len());
+    let mut mimics: Vec<(JointId, MimicSpec<T>, usize)> = Vec::new();
+    let mut dof_joint = Vec::with_capacity(dofs.len());
+    let mut armature = Vec::with_capacity(dofs.len());
+    for (slot, id, spec) in moving {
+        let nv = spec.kind.nv();
+        dof_joint.extend(std::iter::repeat_n(joints.len() as u32, nv));
+        armature.extend((0..nv).map(|k| spec.armature.get(k).copied().unwrap_or(T::ZERO)));
+        mimics.extend(spec.mimic.map(|mimic| (id, mimic, joints.len())));
+        joints.push(JointInfo {
+            name: spec.name.into(),
+            kind: spec.kind,
+            q0: slot.q0,
+            v0: slot.v0,
+            limits: spec.limits,
+        });
+    }
+    let coupling = coupling::resolve(&joints, mimics, &mut findings)?;
+    Ok(Model {
+        name: robot.name,
+        nq: joints.iter().map(|j| j.kind.nq()).sum(),
+        floating_base: base == Base::Floating,
+        gravity: robot.gravity,
+        bodies,
+        links,
+        joints,
+        dofs,
+        dof_joint,
+        armature,
+        coupling,
+        findings,
+    })
+}
+
+fn check_links<T: Real>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
+    for (i, (name, inertia)) in robot.links.iter().enumerate() {
+        let (link, name) = (LinkId(i as u32), || name.to_string());
+        let I = inertia.I;
+        let parts = [
+            ("mass", vec![inertia.m]),
+            ("centre of mass", inertia.h.to_array().to_vec()),
+            ("inertia", vec![I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]),
+        ];
+        if let Some((what, _)) = parts.iter().find(|(_, numbers)| !numbers.iter().all(|x| x.is_finite())) {
+            return Err(BuildError::LinkNotFinite { link, name: name(), what });
+        }
+        if inertia.m < T::ZERO {
+            return Err(BuildError::NegativeMass { link, name: name(), mass: inertia.m.to_f64() });
+        }
+    }
+    Ok(())
+}
+
+/// Checks a joint's numbers and makes its axis a unit vector.
+fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), BuildError> {
+    let name = spec.name.clone();
+    let finite = |numbers: &[T], what| match numbers.iter().all(|x| x.is_finite()) {
+        true => Ok(()),
+        false => Err(BuildError::JointNotFinite { joint, name: name.clone(), what }),
+    };
+    finite(&spec.axis.to_array(), "axis")?;
+    finite(&spec.placement.r.to_array(), "origin")?;
+    let E = spec.placement.E;
+    finite(&[E.x, E.y, E.z].map(Vec3::to_array).concat(), "orientation")?;
+    finite(&spec.armature, "armature")?;
+    if let Joint::Helical { pitch } = spec.kind {
+        finite(&[pitch], "pitch")?;
+    }
+    if let Some(mimic) = &spec.mimic {
+        finite(&[mimic.multiplier, mimic.offset], "mimic")?;
+        if spec.kind.nq() > 1 {
+            return Err(BuildError::MimicKind { joint, name, kind: spec.kind.kind() });
+        }
+    }
+    let nv = spec.kind.nv();
+    if !spec.armature.is_empty() && spec.armature.len() != nv {
+        return Err(BuildError::ArmatureLength { joint, name, expected: nv, found: spec.armature.len() });
+    }
+    if let Some(&armature) = spec.armature.iter().find(|&&a| a < T::ZERO) {
+        return Err(BuildError::NegativeArmature { joint, name, armature: armature.to_f64() });
+    }
+    if let Some((lower, upper)) = spec.limits {
+        if lower.to_f64().is_nan() || upper.to_f64().is_nan() {
+            return Err(BuildError::JointNotFinite { joint, name, what: "limit" });
+        }
+        if lower > upper {
+            let (lower, upper) = (lower.to_f64(), upper.to_f64());
+            return Err(BuildError::CrossedLimits { joint, name, lower, upper });
+        }
+    }
+    let unit = |a: Vec3<T>| match a.norm() {
+        norm if norm > T::ZERO => Ok(a * (T::ONE / norm)),
+        _ => Err(BuildError::ZeroAxis { joint, name: name.clone() }),
+    };
+    if !matches!(spec.kind, Joint::Fixed | Joint::Spherical | Joint::Floating) {
+        spec.axis = unit(spec.axis)?;
+    }
+    if let Joint::Universal { first } = &mut spec.kind {
+        finite(&first.to_array(), "first axis")?;
+        *first = unit(*first)?;
+    }
+    Ok(())
+}
+
+/// Where a joint's coordinates and degrees of freedom stand.
+#[derive(Clone, Copy)]
+struct Slot {
+    q0: u32,
+    v0: u32,
+}
+
+/// Joints in the order given, a floating base (the last of the list) before them all; none for a fixed joint.
+fn slots<T: Real>(joints: &[JointSpec<T>], base: Base) -> Vec<Option<Slot>> {
+    let (given, base) = joints.split_at(joints.len() - usize::from(base == Base::Floating));
+    let mut next = Slot { q0: 0, v0: 0 };
+    let mut take = |spec: &JointSpec<T>| {
+        let slot = next;
+        next.q0 += spec.kind.nq() as u32;
+        next.v0 += spec.kind.nv() as u32;
+        (spec.kind.nv() > 0).then_some(slot)
+    };
+    let first: Vec<_> = base.iter().map(&mut take).collect();
+    let mut slots: Vec<_> = given.iter().map(&mut take).collect();
+    slots.extend(first);
+    slots
+}
+
+type Placed<T> = Vec<(u32, Transform<T>)>;
+
+/// Bodies in pre-order, in internal frames, with merged inertias; and for each link its body and place on it.
+fn place_bodies<T: Real>(
+    robot: &ModelBuilder<T>,
+    nodes: &[Node],
+    slots: &[Option<Slot>],
+) -> (Vec<Body<T>>, Placed<T>) {
+    let mut bodies: Vec<Body<T>> = Vec::with_capacity(nodes.len());
+    let mut placed: Placed<T> = vec![(WORLD, Transform::IDENTITY); robot.links.len()];
+    for node in nodes {
+        let I = robot.links[node.link].1;
+        let Some(j) = node.joint else { continue };
+        let spec = &robot.joints[j];
+        let (parent, X_parent) = placed[spec.parent.index()];
+        let X_joint = spec.placement * X_parent;
+        placed[node.link] = match slots[j] {
+            None => {
+                if parent != WORLD {
+                    bodies[parent as usize].I += X_joint.transpose_rigid(I);
+                }
+                (parent, X_joint)
+            }
+            Some(slot) => {
+                let turn = Transform::new(axis_to_z(spec), Vec3::ZERO);
+                let joint = match spec.kind {
+                    Joint::Universal { first } => Joint::Universal { first: turn.E * first },
+                    kind => kind,
+                };
+                bodies.push(Body {
+                    parent,
+                    q0: slot.q0,
+                    v0: slot.v0,
+                    link: node.link as u32,
+                    joint,
+                    X_tree: turn * X_joint,
+                    I: turn.inverse().transpose_rigid(I),
+                });
+                (bodies.len() as u32 - 1, turn.inverse())
+            }
+        };
+    }
+    (bodies, placed)
+}
+
+fn axis_to_z<T: Real>(spec: &JointSpec<T>) -> Mat3<T> {
+    match spec.kind {
+        Joint::Fixed | Joint::Spherical | Joint::Floating => Mat3::IDENTITY,
+        _ => canonical::z_from_axis(spec.axis),
+    }
+}
+
+fn dof_tree<T: Real>(bodies: &[Body<T>]) -> DofTree {
+    let nv = bodies.iter().map(|b| b.joint.nv()).sum();
+    let mut parent = vec![None; nv];
+    let mut order = Vec::with_capacity(nv);
+    for body in bodies {
+        let mut above = body.parent().map(|p| bodies[p].dofs().end - 1);
+        for d in body.dofs() {
+            parent[d] = above.replace(d);
+            order.push(d as u32);
+        }
+    }
+    DofTree::new(parent, order)
+}

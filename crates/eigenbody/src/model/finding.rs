@@ -1,0 +1,176 @@
+//! What is suspicious about a model: recorded, never repaired.
+
+use super::body::Body;
+use super::builder::{JointId, LinkId, ModelBuilder};
+use super::error::Place;
+use crate::scalar::Real;
+use crate::spatial::{RigidInertia, Sym3};
+use std::fmt;
+
+/// Something that a physical robot would not have.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Finding {
+    /// A principal moment of inertia about the centre of mass is zero or negative.
+    InertiaNotPositive {
+        /// The link.
+        link: LinkId,
+        /// Its name.
+        name: String,
+        /// Principal moments, ascending (kg m²).
+        principal: [f64; 3],
+    },
+    /// The largest principal moment exceeds the sum of the other two: no distribution of mass has it.
+    TriangleInequality {
+        /// The link.
+        link: LinkId,
+        /// Its name.
+        name: String,
+        /// Principal moments, ascending (kg m²).
+        principal: [f64; 3],
+    },
+    /// A moving body without mass.
+    ZeroMass {
+        /// The link that its joint carries.
+        link: LinkId,
+        /// Its name.
+        name: String,
+    },
+    /// A mimic joint follows a joint that is not there or does not move: it is left free.
+    MimicUnknown {
+        /// The mimic joint.
+        joint: JointId,
+        /// Its name.
+        name: String,
+        /// The name that it follows.
+        follows: String,
+    },
+}
+
+impl Finding {
+    /// The link or joint to point at.
+    pub fn place(&self) -> Place {
+        match *self {
+            Self::InertiaNotPositive { link, .. }
+            | Self::TriangleInequality { link, .. }
+            | Self::ZeroMass { link, .. } => Place::Link(link),
+            Self::MimicUnknown { joint, .. } => Place::Joint(joint),
+        }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InertiaNotPositive { name, principal: [a, b, c], .. } => {
+                write!(
+                    f,
+                    "inertia of link '{name}' is not positive definite: principal moments {a:.3e}, {b:.3e}, {c:.3e} kg m²"
+                )
+            }
+            Self::TriangleInequality { name, principal: [a, b, c], .. } => {
+                write!(
+                    f,
+                    "inertia of link '{name}' is not physical: principal moments {a:.3e} + {b:.3e} < {c:.3e} kg m²"
+                )
+            }
+            Self::ZeroMass { name, .. } => write!(f, "moving link '{name}' has no mass"),
+            Self::MimicUnknown { name, follows, .. } => {
+                write!(
+                    f,
+                    "mimic joint '{name}' follows '{follows}', which is no moving joint; it is left free"
+                )
+            }
+        }
+    }
+}
+
+/// Findings on the links' inertias as given. A link without any inertia is a frame, not a fault.
+pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (i, (name, inertia)) in robot.links.iter().enumerate() {
+        if *inertia == RigidInertia::ZERO {
+            continue;
+        }
+        let (link, name) = (LinkId(i as u32), name.to_string());
+        let principal = principal_moments(inertia);
+        let [a, b, c] = principal;
+        // Files round inertias to a few digits; an excess within 1e-6 of the moments is rounding.
+        if a <= 0.0 {
+            findings.push(Finding::InertiaNotPositive { link, name, principal });
+        } else if c > (a + b) * (1.0 + 1e-6) {
+            findings.push(Finding::TriangleInequality { link, name, principal });
+        }
+    }
+    findings
+}
+
+/// Findings on the bodies as merged.
+pub(super) fn of_bodies<T: Real>(robot: &ModelBuilder<T>, bodies: &[Body<T>]) -> Vec<Finding> {
+    let massless = bodies.iter().filter(|body| body.I.m.to_f64() == 0.0);
+    massless
+        .map(|body| Finding::ZeroMass {
+            link: LinkId(body.link),
+            name: robot.links[body.link()].0.to_string(),
+        })
+        .collect()
+}
+
+/// Principal moments about the centre of mass, ascending.
+fn principal_moments<T: Real>(inertia: &RigidInertia<T>) -> [f64; 3] {
+    let (m, h) = (inertia.m.to_f64(), inertia.h.map(T::to_f64));
+    let mut I = inertia.I.map(T::to_f64);
+    if m > 0.0 {
+        let about_com = RigidInertia::from_com(m, h * (1.0 / m), Sym3::ZERO).I;
+        let before = I;
+        I = I - about_com;
+        // Moving a moment to the centre of mass cancels: what is below the rounding of the moved numbers is zero.
+        let rounding = 8.0 * f64::EPSILON * (before.xx.abs() + before.yy.abs() + before.zz.abs());
+        I = I.map(|x| if x.abs() <= rounding { 0.0 } else { x });
+    }
+    jacobi(I)
+}
+
+/// Eigenvalues of a symmetric 3 × 3 matrix by cyclic Jacobi rotations, ascending.
+fn jacobi(A: Sym3<f64>) -> [f64; 3] {
+    let mut a = [[A.xx, A.xy, A.xz], [A.xy, A.yy, A.yz], [A.xz, A.yz, A.zz]];
+    for _ in 0..12 {
+        for (p, q, r) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
+            if a[p][q] == 0.0 {
+                continue;
+            }
+            let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+            let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
+            let t = if theta == 0.0 { 1.0 } else { t };
+            let c = 1.0 / t.hypot(1.0);
+            let s = t * c;
+            let apq = a[p][q];
+            a[p][p] -= t * apq;
+            a[q][q] += t * apq;
+            (a[p][q], a[q][p]) = (0.0, 0.0);
+            let (arp, arq) = (a[r][p], a[r][q]);
+            (a[r][p], a[p][r]) = (c * arp - s * arq, c * arp - s * arq);
+            (a[r][q], a[q][r]) = (s * arp + c * arq, s * arp + c * arq);
+        }
+    }
+    let mut principal = [a[0][0], a[1][1], a[2][2]];
+    principal.sort_by(f64::total_cmp);
+    principal
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spatial::Vec3;
+
+    #[test]
+    fn principal_moments_of_a_turned_and_shifted_box() {
+        let E = crate::spatial::Mat3::rotation_rpy(0.3, -1.1, 2.0);
+        let I = Sym3::diagonal(0.02, 0.03, 0.04).congruence(E);
+        let body = RigidInertia::from_com(3.0, Vec3::new(1.0, -2.0, 0.5), I);
+        let found = principal_moments(&body);
+        for (found, expected) in found.iter().zip([0.02, 0.03, 0.04]) {
+            // 10 ε of what the shift adds, 3·(1 + 4 + 0.25)
+            assert!((found - expected).abs() < 10.0 * f64::EPSILON * 16.0, "{found} {expected}");
+        }
+    }
+}

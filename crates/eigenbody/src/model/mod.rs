@@ -1,0 +1,139 @@
+//! The mechanism: built once, then immutable.
+
+mod body;
+mod build;
+mod builder;
+mod canonical;
+mod cast;
+mod configuration;
+mod coupling;
+mod dof_tree;
+mod error;
+mod finding;
+mod random;
+mod topology;
+
+pub use body::{Body, JointInfo, LinkInfo};
+pub use builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
+pub use coupling::Coupling;
+pub use dof_tree::DofTree;
+pub use error::{BuildError, Place};
+pub use finding::Finding;
+pub use random::Random;
+
+use crate::error::InputError;
+use crate::scalar::Scalar;
+use crate::spatial::Vec3;
+
+/// Largest number of bodies a model may have.
+pub const MAX_BODIES: usize = 10_000_000;
+
+/// Largest nv for which a dense nv × nv matrix is formed (3.2 GB in f64).
+pub const DENSE_LIMIT: usize = 20_000;
+
+/// A kinematic tree of rigid bodies: immutable, every derived table made when it was built.
+///
+/// Bodies stand in pre-order; degrees of freedom in the order in which the joints were added.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model<T> {
+    pub(crate) name: String,
+    pub(crate) bodies: Vec<Body<T>>,
+    pub(crate) links: Vec<LinkInfo<T>>,
+    pub(crate) joints: Vec<JointInfo<T>>,
+    pub(crate) dofs: DofTree,
+    pub(crate) dof_joint: Vec<u32>,
+    pub(crate) armature: Vec<T>,
+    pub(crate) nq: usize,
+    pub(crate) floating_base: bool,
+    pub(crate) gravity: Vec3<T>,
+    pub(crate) coupling: Option<Coupling<T>>,
+    pub(crate) findings: Vec<Finding>,
+}
+
+impl<T: Scalar> Model<T> {
+    /// The robot's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Number of coordinates.
+    pub fn nq(&self) -> usize {
+        self.nq
+    }
+
+    /// Number of degrees of freedom.
+    pub fn nv(&self) -> usize {
+        self.dof_joint.len()
+    }
+
+    /// The moving bodies, in pre-order.
+    pub fn bodies(&self) -> &[Body<T>] {
+        &self.bodies
+    }
+
+    /// Every link that was given, merged ones included, in the order given.
+    pub fn links(&self) -> &[LinkInfo<T>] {
+        &self.links
+    }
+
+    /// The moving joints, in the order of their coordinates.
+    pub fn joints(&self) -> &[JointInfo<T>] {
+        &self.joints
+    }
+
+    /// The tree of degrees of freedom.
+    pub fn dofs(&self) -> &DofTree {
+        &self.dofs
+    }
+
+    /// Inertia added to each degree of freedom: reflected rotor inertia (kg m², kg).
+    pub fn armature(&self) -> &[T] {
+        &self.armature
+    }
+
+    /// Gravity in the world's frame (m/s²).
+    pub fn gravity(&self) -> Vec3<T> {
+        self.gravity
+    }
+
+    /// The same model under another gravity.
+    pub fn with_gravity(mut self, gravity: Vec3<T>) -> Self {
+        self.gravity = gravity;
+        self
+    }
+
+    /// True if the root link moves freely: the first six DoFs are its own.
+    pub fn has_floating_base(&self) -> bool {
+        self.floating_base
+    }
+
+    /// The linear map of mimic joints, if the model has any.
+    pub fn coupling(&self) -> Option<&Coupling<T>> {
+        self.coupling.as_ref()
+    }
+
+    /// What is suspicious about the model. Nothing was changed on its account.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// Name of DoF d: its joint's name, with a suffix where the joint has several.
+    pub fn dof_name(&self, d: usize) -> String {
+        let joint = &self.joints[self.dof_joint[d] as usize];
+        format!("{}{}", joint.name, joint.kind.dof_suffixes()[d - joint.v0 as usize])
+    }
+
+    /// True if DoF d is a translation.
+    pub fn is_translation(&self, d: usize) -> bool {
+        let joint = &self.joints[self.dof_joint[d] as usize];
+        joint.kind.translations()[d - joint.v0 as usize]
+    }
+
+    /// Refuses a model whose dense matrices would not fit.
+    pub fn check_dense(&self) -> Result<(), InputError> {
+        match self.nv() {
+            nv if nv > DENSE_LIMIT => Err(InputError::TooLargeForDense { nv, limit: DENSE_LIMIT }),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! f32 and f64 as scalars.
+
+use super::{Dd, Real, Scalar};
+
+macro_rules! float {
+    ($T:ident) => {
+        impl Scalar for $T {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            #[inline(always)]
+            fn from_f64(x: f64) -> Self {
+                x as $T
+            }
+            /// Without the instruction a fused multiply-add is a library call: the plain form is used instead.
+            #[inline(always)]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                if cfg!(target_feature = "fma") { $T::mul_add(self, a, b) } else { self * a + b }
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $T::sqrt(self)
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                $T::sin_cos(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $T::abs(self)
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                $T::min(self, other)
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                $T::max(self, other)
+            }
+            #[inline(always)]
+            fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
+                if self < other { yes } else { no }
+            }
+        }
+
+        impl Real for $T {
+            const EPSILON: f64 = $T::EPSILON as f64;
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn from_dd(x: Dd) -> Self {
+                x.hi() as $T
+            }
+        }
+    };
+}
+
+float!(f32);
+float!(f64);

@@ -1,0 +1,58 @@
+//! The inertia of an articulated body: a symmetric 6 × 6 matrix, 21 numbers.
+
+use super::{Force, Mat3, Motion, RigidInertia, Sym3};
+use crate::scalar::Scalar;
+use std::ops::{Add, AddAssign};
+
+/// Articulated-body inertia IA = [I H; Hᵀ M].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ArticulatedInertia<T> {
+    /// Angular block.
+    pub I: Sym3<T>,
+    /// Coupling block.
+    pub H: Mat3<T>,
+    /// Linear block: the apparent mass.
+    pub M: Sym3<T>,
+}
+
+impl<T: Scalar> ArticulatedInertia<T> {
+    /// No inertia.
+    pub const ZERO: Self = Self { I: Sym3::ZERO, H: Mat3::ZERO, M: Sym3::ZERO };
+
+    /// IA v.
+    #[inline(always)]
+    pub fn times(&self, v: Motion<T>) -> Force<T> {
+        Force { ang: self.I * v.ang + self.H * v.lin, lin: self.H.transpose_times(v.ang) + self.M * v.lin }
+    }
+
+    /// IA − U Uᵀ s: one hinge eliminated, s = 1/D.
+    #[inline(always)]
+    pub fn minus_outer(&self, U: Force<T>, s: T) -> Self {
+        let (n, f) = (U.ang, U.lin);
+        let ns = n * s;
+        let nf = Mat3::from_rows(f * ns.x, f * ns.y, f * ns.z);
+        Self { I: self.I - Sym3::outer(n) * s, H: self.H - nf, M: self.M - Sym3::outer(f) * s }
+    }
+}
+
+impl<T: Scalar> From<RigidInertia<T>> for ArticulatedInertia<T> {
+    #[inline(always)]
+    fn from(b: RigidInertia<T>) -> Self {
+        Self { I: b.I, H: Mat3::cross(b.h), M: Sym3::diagonal(b.m, b.m, b.m) }
+    }
+}
+
+impl<T: Scalar> Add for ArticulatedInertia<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Self { I: self.I + b.I, H: self.H + b.H, M: self.M + b.M }
+    }
+}
+
+impl<T: Scalar> AddAssign for ArticulatedInertia<T> {
+    #[inline(always)]
+    fn add_assign(&mut self, b: Self) {
+        *self = *self + b;
+    }
+}

@@ -1,0 +1,147 @@
+//! 3 × 3 matrices.
+
+use super::{Sym3, Vec3};
+use crate::scalar::Scalar;
+use std::ops::{Add, Mul, Sub};
+
+/// A 3 × 3 matrix, by rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mat3<T> {
+    /// First row.
+    pub x: Vec3<T>,
+    /// Second row.
+    pub y: Vec3<T>,
+    /// Third row.
+    pub z: Vec3<T>,
+}
+
+impl<T: Scalar> Mat3<T> {
+    /// All zeros.
+    pub const ZERO: Self = Self { x: Vec3::ZERO, y: Vec3::ZERO, z: Vec3::ZERO };
+    /// The identity.
+    pub const IDENTITY: Self = Self { x: Vec3::X, y: Vec3::Y, z: Vec3::Z };
+
+    /// The matrix with these rows.
+    #[inline(always)]
+    pub fn from_rows(x: Vec3<T>, y: Vec3<T>, z: Vec3<T>) -> Self {
+        Self { x, y, z }
+    }
+
+    /// [a]×: the matrix of b ↦ a × b.
+    #[inline(always)]
+    pub fn cross(a: Vec3<T>) -> Self {
+        Self {
+            x: Vec3::new(T::ZERO, -a.z, a.y),
+            y: Vec3::new(a.z, T::ZERO, -a.x),
+            z: Vec3::new(-a.y, a.x, T::ZERO),
+        }
+    }
+
+    /// The transpose.
+    #[inline(always)]
+    pub fn transpose(self) -> Self {
+        Self {
+            x: Vec3::new(self.x.x, self.y.x, self.z.x),
+            y: Vec3::new(self.x.y, self.y.y, self.z.y),
+            z: Vec3::new(self.x.z, self.y.z, self.z.z),
+        }
+    }
+
+    /// Aᵀ b.
+    #[inline(always)]
+    pub fn transpose_times(self, b: Vec3<T>) -> Vec3<T> {
+        self.x * b.x + self.y * b.y + self.z * b.z
+    }
+
+    /// The symmetric part's entries, where the matrix is known to be symmetric: the mean of both triangles.
+    #[inline(always)]
+    pub fn symmetric(self) -> Sym3<T> {
+        let half = T::from_f64(0.5);
+        Sym3 {
+            xx: self.x.x,
+            yy: self.y.y,
+            zz: self.z.z,
+            xy: (self.x.y + self.y.x) * half,
+            xz: (self.x.z + self.z.x) * half,
+            yz: (self.y.z + self.z.y) * half,
+        }
+    }
+
+    /// The entries in another scalar.
+    pub fn map<U>(self, f: impl Fn(T) -> U + Copy) -> Mat3<U> {
+        Mat3 { x: self.x.map(f), y: self.y.map(f), z: self.z.map(f) }
+    }
+
+    /// Coordinate rotation E of a turn by θ about z, from sin θ and cos θ.
+    #[inline(always)]
+    pub fn rotation_z((s, c): (T, T)) -> Self {
+        Self { x: Vec3::new(c, s, T::ZERO), y: Vec3::new(-s, c, T::ZERO), z: Vec3::Z }
+    }
+
+    /// Coordinate rotation E of a turn by θ about the unit vector `axis`, from sin θ and cos θ (Rodrigues).
+    #[inline(always)]
+    pub fn rotation_about(axis: Vec3<T>, (s, c): (T, T)) -> Self {
+        let K = Self::cross(axis);
+        Self::IDENTITY - K * s + K * K * (T::ONE - c)
+    }
+
+    /// Coordinate rotation E from the frame before to the frame after the turn of the quaternion w, x, y, z.
+    ///
+    /// The scale 2/|p|² makes it an exact rotation whatever the norm.
+    #[inline(always)]
+    pub fn rotation_quaternion(w: T, v: Vec3<T>) -> Self {
+        let s = T::from_f64(2.0) / w.mul_add(w, v.dot(v));
+        let K = Self::cross(v);
+        Self::IDENTITY - K * (s * w) + K * K * s
+    }
+
+    /// Coordinate rotation E, old frame to new, of roll-pitch-yaw angles: R = Rz(yaw) Ry(pitch) Rx(roll), E = Rᵀ.
+    pub fn rotation_rpy(roll: T, pitch: T, yaw: T) -> Self {
+        let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
+        Self {
+            x: Vec3::new(cy * cp, sy * cp, -sp),
+            y: Vec3::new(cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr),
+            z: Vec3::new(cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr),
+        }
+    }
+}
+
+impl<T: Scalar> Mul<Vec3<T>> for Mat3<T> {
+    type Output = Vec3<T>;
+    #[inline(always)]
+    fn mul(self, b: Vec3<T>) -> Vec3<T> {
+        Vec3 { x: self.x.dot(b), y: self.y.dot(b), z: self.z.dot(b) }
+    }
+}
+
+impl<T: Scalar> Mul for Mat3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, B: Self) -> Self {
+        Self { x: B.transpose_times(self.x), y: B.transpose_times(self.y), z: B.transpose_times(self.z) }
+    }
+}
+
+impl<T: Scalar> Mul<T> for Mat3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, s: T) -> Self {
+        Self { x: self.x * s, y: self.y * s, z: self.z * s }
+    }
+}
+
+impl<T: Scalar> Add for Mat3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, B: Self) -> Self {
+        Self { x: self.x + B.x, y: self.y + B.y, z: self.z + B.z }
+    }
+}
+
+impl<T: Scalar> Sub for Mat3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, B: Self) -> Self {
+        Self { x: self.x - B.x, y: self.y - B.y, z: self.z - B.z }
+    }
+}

@@ -1,0 +1,9 @@
+//! Eigenvalues and eigenvectors of H in a metric: H x = λ B x.
+
+mod eigen;
+mod metric;
+mod ql;
+mod tridiagonal;
+
+pub use eigen::{SymmetricEigen, eigen, eigenvalues};
+pub use metric::Metric;
