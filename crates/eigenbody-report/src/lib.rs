@@ -1,1 +1,13 @@
-//! How results are shown.
+//! How results are shown: a table that a person wants to read, and exact JSON, CSV and NPY.
+//!
+//! Nothing is computed here: a result comes in, text or bytes go out.
+
+mod matrix;
+mod number;
+mod spectrum;
+mod text;
+
+pub use matrix::MatrixReport;
+pub use number::significant;
+pub use spectrum::{ModeReport, SpectrumReport, Subject};
+pub use text::{Mode, modes};

@@ -35,7 +35,9 @@ pub mod spatial;
 pub mod spectrum;
 
 pub use conditioning::{Conditioning, conditioning};
-pub use dynamics::{bias_force, floating_mass_matrix, forward_dynamics, inverse_dynamics, mass_matrix};
+pub use dynamics::{
+    Reduction, bias_force, floating_mass_matrix, forward_dynamics, inverse_dynamics, mass_matrix,
+};
 pub use error::{Error, InputError, NotPositiveDefinite};
 pub use family::{Family, Posture};
 pub use joint::Joint;

@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::scalar::Real;
 
 /// Degrees of freedom of a floating base.
-const BASE: usize = 6;
+pub(super) const BASE: usize = 6;
 
 /// H*(q): the inertia that the joints of a free-floating robot feel.
 ///
@@ -64,11 +64,16 @@ pub fn floating_mass_matrix_into<T: Real>(
     mass_matrix_into(model, q, workspace, H)?;
     eliminate_base(H)?;
     for d in 0..joints {
-        for e in 0..joints {
-            floating[(d, e)] = H[(BASE + d, BASE + e)];
-        }
+        floating.row_mut(d).copy_from_slice(&H.row(BASE + d)[BASE..]);
     }
     Ok(())
+}
+
+/// H* of any matrix whose first six DoFs are the base; the matrix is left partly eliminated.
+pub(super) fn remove_base<T: Real>(H: &mut Matrix<T>) -> Result<Matrix<T>, NotPositiveDefinite> {
+    eliminate_base(H)?;
+    let joints = H.rows() - BASE;
+    Ok(Matrix::from_fn(joints, joints, |d, e| H[(BASE + d, BASE + e)]))
 }
 
 /// Six steps of elimination on a symmetric matrix, both triangles kept.

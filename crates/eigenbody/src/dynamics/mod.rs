@@ -10,6 +10,7 @@ mod energy;
 mod floating;
 mod kinematics;
 mod momentum;
+mod reduction;
 mod rnea;
 
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
@@ -19,4 +20,5 @@ pub use energy::{Energy, energy, energy_into};
 pub use floating::{floating_mass_matrix, floating_mass_matrix_into};
 pub use kinematics::{Kinematics, link_pose};
 pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
+pub use reduction::Reduction;
 pub use rnea::{RneaWorkspace, inverse_dynamics, inverse_dynamics_into};

@@ -22,7 +22,7 @@ pub use finding::Finding;
 pub use random::Random;
 
 use crate::error::InputError;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::spatial::Vec3;
 
 /// Largest number of bodies a model may have.
@@ -89,6 +89,22 @@ impl<T: Scalar> Model<T> {
     /// Inertia added to each degree of freedom: reflected rotor inertia (kg m², kg).
     pub fn armature(&self) -> &[T] {
         &self.armature
+    }
+
+    /// The same model with other armature, one number a DoF, zero or more (kg m², kg).
+    ///
+    /// Errors: [`InputError`] for a wrong length or a number that is negative or not finite.
+    pub fn with_armature(mut self, armature: Vec<T>) -> Result<Self, InputError>
+    where
+        T: Real,
+    {
+        self.check_v("armature", &armature)?;
+        if let Some(index) = armature.iter().position(|&a| a < T::ZERO) {
+            let value = armature[index].to_f64();
+            return Err(InputError::NotPositive { what: "armature", index, value });
+        }
+        self.armature = armature;
+        Ok(self)
     }
 
     /// Gravity in the world's frame (m/s²).

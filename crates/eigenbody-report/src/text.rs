@@ -1,0 +1,171 @@
+//! The spectrum as a page for the terminal.
+
+use crate::number::significant;
+use crate::spectrum::{ModeReport, SpectrumReport};
+use comfy_table::{CellAlignment, Table, presets};
+use std::fmt::Write;
+
+/// Width of the largest bar.
+const BAR: usize = 16;
+/// DoFs shown of a mode.
+const SHOWN: usize = 6;
+
+/// A mode with its heading.
+pub struct Mode<'a> {
+    /// Heading, such as `softest mode`.
+    pub title: String,
+    /// The mode.
+    pub mode: &'a ModeReport,
+}
+
+impl SpectrumReport {
+    /// The page.
+    pub fn to_text(&self) -> String {
+        let mut page = format!("{}\n\n", self.heading());
+        let _ = writeln!(page, "{}", self.numbers());
+        let titled = |what: &str, lambda: Option<f64>| match lambda {
+            Some(lambda) => format!("{what} mode, λ = {}", significant(lambda, 4)),
+            None => format!("{what} mode"),
+        };
+        let modes: Vec<Mode<'_>> = [
+            self.softest.as_ref().map(|mode| Mode { title: titled("softest", self.lambda_min), mode }),
+            self.stiffest.as_ref().map(|mode| Mode { title: titled("stiffest", self.lambda_max), mode }),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        page.push_str(&crate::text::modes(&modes));
+        if let Some(eigenvalues) = &self.eigenvalues {
+            let numbers: Vec<String> = eigenvalues.iter().map(|&x| significant(x, 6)).collect();
+            let _ = writeln!(page, "\n  eigenvalues  {}", wrap(&numbers.join("  "), 64, "               "));
+        }
+        if let Some(note) = &self.note {
+            let _ = writeln!(page, "\n  note: {}", wrap(note, 72, "        "));
+        }
+        if !self.findings.is_empty() {
+            let _ = writeln!(page, "\n  {} on the model:", count(self.findings.len(), "finding", "findings"));
+            for finding in self.findings.iter().take(SHOWN) {
+                let _ = writeln!(page, "  - {}", wrap(finding, 74, "    "));
+            }
+            if self.findings.len() > SHOWN {
+                let _ = writeln!(page, "  - .. and {} more (--json lists all)", self.findings.len() - SHOWN);
+            }
+        }
+        page
+    }
+
+    fn heading(&self) -> String {
+        format!(
+            "{}: {}, {}, {} base, at {}",
+            self.subject.model,
+            count(self.subject.bodies, "moving body", "moving bodies"),
+            count(self.dofs, "degree of freedom", "degrees of freedom"),
+            self.subject.base,
+            self.subject.configuration
+        )
+    }
+
+    fn numbers(&self) -> Table {
+        let show = |x: Option<f64>| x.map_or_else(|| "–".into(), |x| significant(x, 6));
+        let bracket = self.bracket.map_or_else(String::new, |[lo, hi]| {
+            format!("{} ≤ κ ≤ {}, always", significant(lo, 3), significant(hi, 3))
+        });
+        let digits = self.kappa_weighted.map_or_else(String::new, |weighted| {
+            let left = |digits: f64| (digits - weighted.log10()).max(0.0).floor();
+            format!("solves with H keep about {} of 16 digits, in f32 {} of 7", left(16.0), left(7.2))
+        });
+        let unit = if self.metric == "unit-diagonal" { "" } else { " kg m²" };
+        let with_unit =
+            |x: Option<f64>| x.map_or_else(|| "–".into(), |x| format!("{}{unit}", significant(x, 6)));
+        let mut table = Table::new();
+        table.load_style(presets::NOTHING);
+        table.add_row([
+            "κ",
+            &show(self.kappa),
+            &format!("λmax/λmin, {} metric: gains, time steps", self.metric),
+        ]);
+        table.add_row(["κ'", &show(self.kappa_weighted), &digits]);
+        table.add_row(["r", &show(self.diagonal_ratio), &bracket]);
+        table.add_row(["λmin", &with_unit(self.lambda_min), "inertia of the softest motion"]);
+        table.add_row(["λmax", &with_unit(self.lambda_max), "inertia of the stiffest motion"]);
+        if let Some(column) = table.column_mut(0) {
+            column.set_padding((2, 1));
+        }
+        if let Some(column) = table.column_mut(1) {
+            column.set_cell_alignment(CellAlignment::Left);
+            column.set_padding((1, 2));
+        }
+        table
+    }
+}
+
+/// Modes side by side: their main DoFs, signs and shares.
+pub fn modes(modes: &[Mode<'_>]) -> String {
+    let blocks: Vec<Vec<String>> = modes.iter().map(block).collect();
+    let height = blocks.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> =
+        blocks.iter().map(|b| b.iter().map(|line| line.chars().count()).max().unwrap_or(0)).collect();
+    // Side by side where both fit in a terminal of 100 columns, else one above the other.
+    if widths.iter().sum::<usize>() + 4 * widths.len() > 100 {
+        return blocks
+            .iter()
+            .map(|b| b.iter().map(|line| format!("  {line}\n")).collect::<String>())
+            .collect::<Vec<_>>()
+            .join("\n");
+    }
+    let mut page = String::new();
+    for row in 0..height {
+        let mut line = String::new();
+        for (block, &width) in blocks.iter().zip(&widths) {
+            let cell = block.get(row).map_or("", String::as_str);
+            let pad = width - cell.chars().count();
+            let _ = write!(line, "  {cell}{:pad$}  ", "");
+        }
+        page.push_str(line.trim_end());
+        page.push('\n');
+    }
+    page
+}
+
+fn block(Mode { title, mode }: &Mode<'_>) -> Vec<String> {
+    let mut order: Vec<usize> = (0..mode.share.len()).collect();
+    order.sort_by(|&a, &b| mode.share[b].total_cmp(&mode.share[a]));
+    let shown: Vec<usize> = order.iter().copied().take(SHOWN).filter(|&d| mode.share[d] >= 5e-4).collect();
+    let name_width = shown.iter().map(|&d| mode.joints[d].chars().count()).max().unwrap_or(0);
+    let mut lines = vec![title.clone()];
+    for &d in &shown {
+        let name = &mode.joints[d];
+        let pad = name_width - name.chars().count();
+        let sign = if mode.vector[d] < 0.0 { '−' } else { '+' };
+        let bar = "█".repeat(((mode.share[d] * BAR as f64).round() as usize).max(1));
+        lines.push(format!("{name}{:pad$} {sign} {:>5.1}% {bar:<BAR$}", "", 100.0 * mode.share[d]));
+    }
+    let rest: f64 = order.iter().filter(|d| !shown.contains(d)).map(|&d| mode.share[d]).sum();
+    if rest >= 5e-4 {
+        lines.push(format!("and {} more, {:.1}%", order.len() - shown.len(), 100.0 * rest));
+    }
+    lines
+}
+
+fn count(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}
+
+/// Words in lines of at most `width`, the later ones indented.
+fn wrap(text: &str, width: usize, indent: &str) -> String {
+    let (mut out, mut column) = (String::new(), 0);
+    for word in text.split_whitespace() {
+        let length = word.chars().count();
+        if column > 0 && column + 1 + length > width {
+            out.push('\n');
+            out.push_str(indent);
+            column = 0;
+        } else if column > 0 {
+            out.push(' ');
+            column += 1;
+        }
+        out.push_str(word);
+        column += length;
+    }
+    out
+}
