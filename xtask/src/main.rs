@@ -1,3 +1,62 @@
-//! Development tasks.
+//! Development tasks: `cargo xtask TASK`.
 
-fn main() {}
+mod conformance;
+mod layers;
+mod oracle;
+mod program;
+mod steps;
+mod suite;
+
+use std::process::ExitCode;
+
+/// What a task or one of its steps comes to: a failure is one line for the reader.
+type Outcome = Result<(), String>;
+
+struct Task {
+    name: &'static str,
+    about: &'static str,
+    run: fn() -> Outcome,
+}
+
+const TASKS: [Task; 5] = [
+    Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
+    Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
+    Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
+    Task {
+        name: "oracle",
+        about: "install the Python reference (Pinocchio) into .oracle/",
+        run: oracle::prepare,
+    },
+    Task {
+        name: "conformance",
+        about: "H and kappa of real robots against Pinocchio",
+        run: conformance::check,
+    },
+];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let outcome = match arguments.as_slice() {
+        [] => {
+            print!("{}", usage());
+            Ok(())
+        }
+        [name] => match TASKS.iter().find(|task| task.name == name) {
+            Some(task) => (task.run)(),
+            None => Err(format!("no task `{name}`; `cargo xtask` lists them")),
+        },
+        [name, ..] => Err(format!("task `{name}` takes no arguments")),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn usage() -> String {
+    let tasks = TASKS.iter().map(|task| format!("  {:<12} {}\n", task.name, task.about));
+    format!("cargo xtask TASK\n\n{}", tasks.collect::<String>())
+}

@@ -1,0 +1,93 @@
+//! Running other programs from the root of the repository.
+
+use std::ffi::OsString;
+use std::io::ErrorKind;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use crate::Outcome;
+
+/// The root of the repository.
+///
+/// Cargo names the manifest of the checkout it was called in; the compiled-in path may be that of another one with
+/// which the build directory is shared.
+pub fn root() -> PathBuf {
+    let manifest =
+        std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| OsString::from(env!("CARGO_MANIFEST_DIR")));
+    let mut root = PathBuf::from(manifest);
+    root.pop();
+    root
+}
+
+/// A call of `program` in the root, without input.
+pub fn program(program: impl Into<OsString>) -> Command {
+    let mut command = Command::new(program.into());
+    command.current_dir(root()).stdin(Stdio::null());
+    command
+}
+
+/// A call of the cargo that runs this task.
+pub fn cargo(arguments: &[&str]) -> Command {
+    let mut command = program(std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
+    command.args(arguments);
+    command
+}
+
+/// Runs `command` to its end; its output is the user's to see.
+pub fn run(command: &mut Command) -> Outcome {
+    let line = line(command);
+    println!("$ {line}");
+    let status = command.status().map_err(|error| not_started(command, &error))?;
+    if status.success() { Ok(()) } else { Err(format!("`{line}` failed ({status})")) }
+}
+
+/// What `command` writes to stdout. What it writes to stderr becomes the error's text.
+pub fn output(command: &mut Command) -> Result<String, String> {
+    let result = command.output().map_err(|error| not_started(command, &error))?;
+    if result.status.success() {
+        Ok(String::from_utf8_lossy(&result.stdout).into_owned())
+    } else {
+        let talk = String::from_utf8_lossy(&result.stderr);
+        let last = talk.trim().lines().last().unwrap_or("no message");
+        Err(format!("`{}` failed ({}): {last}", line(command), result.status))
+    }
+}
+
+fn not_started(command: &Command, error: &std::io::Error) -> String {
+    let name = command.get_program().to_string_lossy();
+    match error.kind() {
+        ErrorKind::NotFound => format!("`{name}` is not installed or not on the path"),
+        _ => format!("`{name}` does not start: {error}"),
+    }
+}
+
+/// The call as one would type it in the root.
+fn line(command: &Command) -> String {
+    let root = root();
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    let words: Vec<String> = words
+        .map(|word| {
+            let short = std::path::Path::new(word).strip_prefix(&root).map_or(word, |path| path.as_os_str());
+            short.to_string_lossy().into_owned()
+        })
+        .collect();
+    words.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_program_is_named() {
+        let message = run(&mut program("no-such-program")).unwrap_err();
+        assert_eq!(message, "`no-such-program` is not installed or not on the path");
+    }
+
+    #[test]
+    fn paths_inside_the_repository_are_shown_relative_to_it() {
+        let mut command = program("python3");
+        command.arg(root().join("oracle/conformance.py")).arg("--quick");
+        assert_eq!(line(&command), "python3 oracle/conformance.py --quick");
+    }
+}
