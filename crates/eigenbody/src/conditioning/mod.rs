@@ -70,9 +70,9 @@ pub fn conditioning<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Conditionin
     let diagonal: Vec<T> = weights.iter().enumerate().map(|(d, &b)| H[(d, d)] / b).collect();
     let smallest = diagonal.iter().copied().reduce(T::min);
     let largest = diagonal.iter().copied().reduce(T::max);
-    let has_zero = smallest.is_none_or(|least| !(least > T::ZERO));
+    let has_zero = smallest.is_none_or(|least| least <= T::ZERO);
     let (diagonal_ratio, kappa_weighted) = if has_zero {
-        if let Some(d) = diagonal.iter().position(|&x| !(x > T::ZERO)) {
+        if let Some(d) = diagonal.iter().position(|&x| x <= T::ZERO) {
             notes.push(format!(
                 "DoF {d} has no inertia (H_dd = {:e}): κ′ and r do not exist",
                 diagonal[d].to_f64()

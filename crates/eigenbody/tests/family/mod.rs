@@ -1,0 +1,5 @@
+mod claims;
+mod geometry;
+mod onion;
+mod puma560;
+mod table;
