@@ -1,0 +1,94 @@
+//! MODEL: a file, a family's expression or a built-in robot.
+
+use crate::error::FormatError;
+use crate::family;
+use crate::loaded::{Kind, Loaded, Places};
+use crate::suggest::did_you_mean;
+use crate::urdf::{UrdfOptions, read_urdf};
+use eigenbody::Base;
+use std::path::Path;
+
+/// How to make a model of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LoadOptions {
+    /// What the root link is fastened to. On a family, floating removes the first joint.
+    pub base: Base,
+    /// Size of the last link of a hydra, onion or auto_tree against the first: ρ = R^(1/(N−1)).
+    pub size_ratio: Option<f64>,
+}
+
+const PUMA560: &str = "puma560";
+const EXTENSIONS: [&str; 4] = ["urdf", "xml", "sdf", "xacro"];
+
+/// The model that a text names.
+///
+/// | text | model |
+/// |------|-------|
+/// | `robot.urdf`, any path to a file | what the file describes |
+/// | `hydra(N,B,α,ρ)`, `onion(N,B,α,ρ)`, `auto_tree(N,B,α,ρ)` | a family's member; left out: B = 1, α = 0, ρ = 1 |
+/// | `chain(N, m=2.2, l=1)` | slender rods; left out: m = 1, l = 1 |
+/// | `puma560` | a built-in robot |
+///
+/// A built-in name goes before a file of that name, which is `./puma560`. Errors: [`FormatError`].
+pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
+    let text = text.trim();
+    let path = Path::new(text);
+    let extension = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase);
+    if extension.is_some_and(|e| EXTENSIONS.contains(&e.as_str())) {
+        return file(text, options);
+    }
+    if text == PUMA560 {
+        return puma560(options);
+    }
+    if let Some(family) = family::read(text, options.size_ratio)? {
+        let family = if options.base == Base::Floating { family.floating() } else { family };
+        let model = family
+            .model()
+            .map_err(|fault| FormatError::Build { text: text.to_owned(), fault: Box::new(fault) })?;
+        let name = family.name();
+        return Ok(Loaded { model, name, kind: Kind::Family(family), places: Places::default() });
+    }
+    match path.exists() {
+        true => file(text, options),
+        false => Err(no_model(text)),
+    }
+}
+
+fn file(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
+    no_size_ratio(text, options)?;
+    read_urdf(Path::new(text), &UrdfOptions { base: options.base })
+}
+
+fn puma560(options: &LoadOptions) -> Result<Loaded, FormatError> {
+    no_size_ratio(PUMA560, options)?;
+    if options.base == Base::Floating {
+        let problem = "stands on a fixed base only".to_owned();
+        return Err(FormatError::Unsuitable { text: PUMA560.to_owned(), problem });
+    }
+    let model = eigenbody::family::puma560()
+        .map_err(|fault| FormatError::Build { text: PUMA560.to_owned(), fault: Box::new(fault) })?;
+    Ok(Loaded { model, name: PUMA560.to_owned(), kind: Kind::BuiltIn, places: Places::default() })
+}
+
+fn no_size_ratio(text: &str, options: &LoadOptions) -> Result<(), FormatError> {
+    let problem = || "a size ratio is for the families hydra, onion and auto_tree".to_owned();
+    match options.size_ratio {
+        None => Ok(()),
+        Some(_) => Err(FormatError::Unsuitable { text: text.to_owned(), problem: problem() }),
+    }
+}
+
+/// Says what a model can be.
+fn no_model(text: &str) -> FormatError {
+    let text = text.to_owned();
+    let name = text.split('(').next().unwrap_or_default().trim();
+    if let Some(usage) = family::usage(name) {
+        let expected = format!("this family has parameters: {usage}");
+        return FormatError::NoModel { text, expected };
+    }
+    let families: Vec<String> = family::names().filter_map(family::usage).collect();
+    let suggestion = did_you_mean(name, family::names().chain([PUMA560]));
+    let families = families.join(", ");
+    let expected = format!("no such file, and none of {families}, {PUMA560}{suggestion}");
+    FormatError::NoModel { text, expected }
+}

@@ -1,0 +1,134 @@
+//! URDF: the links, inertias and joints of a robot description file.
+//!
+//! Read are `<link>` with `<inertial>` and `<joint>` with `<origin>`, `<axis>`, `<limit>` and `<mimic>`, as children of
+//! `<robot>`; all else leaves H as it is and is passed over. Coordinates follow the order of the `<joint>` elements.
+//! Units are SI; a link without `<inertial>` is a frame without mass.
+
+mod element;
+mod fault;
+mod joint;
+mod link;
+mod pose;
+
+pub use fault::UrdfFault;
+
+use crate::error::FormatError;
+use crate::loaded::{Kind, Loaded, Places};
+use crate::location::Location;
+use crate::suggest::did_you_mean;
+use eigenbody::model::{LinkId, Place};
+use eigenbody::{Base, BuildError, Model, ModelBuilder};
+use element::{Element, Fault};
+use roxmltree::{Document, ParsingOptions};
+use std::collections::HashMap;
+use std::path::Path;
+
+/// How to read a URDF file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct UrdfOptions {
+    /// What the root link is fastened to.
+    pub base: Base,
+}
+
+/// Reads a URDF file.
+///
+/// Errors: [`FormatError::File`] if it cannot be read, [`FormatError::Urdf`] if it is no URDF of a kinematic tree.
+pub fn read_urdf(path: &Path, options: &UrdfOptions) -> Result<Loaded, FormatError> {
+    let file = path.display().to_string();
+    let bytes = crate::file::read(path)?;
+    let text = std::str::from_utf8(&bytes).map_err(|error| {
+        let offset = error.valid_up_to();
+        let byte = bytes.get(offset).copied().unwrap_or_default();
+        let (at, fault) = (Location::at(&bytes, offset), Box::new(UrdfFault::NotUtf8 { byte }));
+        FormatError::Urdf { file: file.clone(), at, fault }
+    })?;
+    read_urdf_str(text, &file, options)
+}
+
+/// Reads the text of a URDF file; `file_name` is what errors call it.
+///
+/// ```
+/// use eigenbody_formats::{UrdfOptions, read_urdf_str};
+/// let text = r#"<robot name="point"> <link name="body"/> <joint name="hinge" type="hinge"/> </robot>"#;
+/// let error = read_urdf_str(text, "point.urdf", &UrdfOptions::default()).unwrap_err();
+/// assert!(error.to_string().starts_with("point.urdf:1:62: joint 'hinge' has type 'hinge', expected"));
+/// ```
+pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Result<Loaded, FormatError> {
+    let located = |at: Location, fault: UrdfFault| FormatError::Urdf {
+        file: file_name.to_owned(),
+        at,
+        fault: Box::new(fault),
+    };
+    // No document type declarations: no entities to expand.
+    let xml = Document::parse_with_options(text, ParsingOptions { allow_dtd: false, ..Default::default() })
+        .map_err(|error| {
+        let at = error.pos();
+        located(Location { line: at.row, column: at.col }, UrdfFault::from(error))
+    })?;
+    let robot = Element(xml.root_element());
+    let (model, offsets) = model(robot, options.base)
+        .map_err(|Fault { offset, fault }| located(Location::at(text.as_bytes(), offset), fault))?;
+    let places = Places {
+        links: Location::all(text.as_bytes(), &offsets.links),
+        joints: Location::all(text.as_bytes(), &offsets.joints),
+    };
+    Ok(Loaded { model, name: file_name.to_owned(), kind: Kind::File(file_name.into()), places })
+}
+
+/// Byte offsets of links and joints, in the order of their ids.
+#[derive(Default)]
+struct Offsets {
+    links: Vec<usize>,
+    joints: Vec<usize>,
+}
+
+fn model(robot: Element<'_, '_>, base: Base) -> Result<(Model<f64>, Offsets), Fault> {
+    fault::check_root(robot)?;
+    let mut builder = ModelBuilder::new(robot.attribute("name")?);
+    let mut offsets = Offsets::default();
+    let mut links: HashMap<&str, LinkId> = HashMap::new();
+    for element in robot.children("link") {
+        let name = element.attribute("name")?;
+        let id = builder.link(name, link::inertia(element)?);
+        // The first of two links with one name; the builder refuses the second.
+        links.entry(name).or_insert(id);
+        offsets.links.push(element.offset());
+    }
+    let find = |name: &str| match links.get(name) {
+        Some(&id) => Ok(id),
+        None => Err(did_you_mean(name, links.keys().copied())),
+    };
+    for element in robot.children("joint") {
+        builder.joint(joint::read(element, find)?);
+        offsets.joints.push(element.offset());
+    }
+    match builder.build(base) {
+        Ok(model) => Ok((model, offsets)),
+        Err(error) => Err(located(robot, &offsets, error)),
+    }
+}
+
+/// The builder's error at the element that it is about.
+fn located(robot: Element<'_, '_>, offsets: &Offsets, error: BuildError) -> Fault {
+    let (offset, found) = match error.place() {
+        Place::Model => (robot.offset(), None),
+        Place::Link(id) => (offsets.links[id.index()], robot.children("link").nth(id.index())),
+        Place::Joint(id) => (offsets.joints[id.index()], robot.children("joint").nth(id.index())),
+    };
+    let duplicate = matches!(error, BuildError::DuplicateLink { .. } | BuildError::DuplicateJoint { .. });
+    let fault = match found.filter(|_| duplicate) {
+        None => UrdfFault::Build(error),
+        Some(second) => {
+            let name = second.attribute("name").unwrap_or_default();
+            let mut same =
+                robot.children(second.tag()).filter(|e| e.attribute("name").is_ok_and(|n| n == name));
+            match same.next() {
+                Some(first) if first.offset() < offset => {
+                    UrdfFault::Duplicate { error, first: first.location() }
+                }
+                _ => UrdfFault::ReservedName { name: name.to_owned() },
+            }
+        }
+    };
+    Fault { offset, fault }
+}
