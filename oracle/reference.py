@@ -48,10 +48,12 @@ class Reference:
         """Pinocchio's q for eigenbody's."""
         reference = np.zeros(self.model.nq)
         joints = [name for name in dofs if not name.startswith(f"{BASE}/")]
-        base, rest = q[: len(q) - len(joints)], q[len(q) - len(joints) :]
-        if base:
-            reference[BASE_COORDINATES] = base
-        for name, angle in zip(joints, rest, strict=True):
+        first = len(BASE_COORDINATES) if len(joints) < len(dofs) else 0
+        if len(q) != first + len(joints):
+            raise ValueError(f"q holds {len(q)} numbers instead of {first + len(joints)}")
+        if first:
+            reference[BASE_COORDINATES] = q[:first]
+        for name, angle in zip(joints, q[first:], strict=True):
             joint = self._joint(name)
             is_continuous = joint.nq == 2
             value = [np.cos(angle), np.sin(angle)] if is_continuous else angle
