@@ -21,7 +21,9 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
     let mut findings = finding::of_links(&robot);
 
     if base == Base::Floating {
-        if let Some(j) = robot.joints.iter().position(|spec| spec.name == BASE_JOINT) {
+        // Fixed joints leave no name behind.
+        let taken = |spec: &JointSpec<T>| spec.name == BASE_JOINT && spec.kind.nv() > 0;
+        if let Some(j) = robot.joints.iter().position(taken) {
             return Err(BuildError::DuplicateJoint { joint: JointId(j as u32), name: BASE_JOINT.into() });
         }
         nodes[0].joint = Some(robot.joints.len());
