@@ -7,4 +7,28 @@
 // Helpers stop a test as its own lines would.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+/// Runs a check that is generic over the scalar in each of them.
+macro_rules! scalars {
+    ($($check:ident),* $(,)?) => {
+        $(mod $check {
+            #[test]
+            fn single() {
+                super::$check::<f32>();
+            }
+            #[test]
+            fn double() {
+                super::$check::<f64>();
+            }
+            #[test]
+            fn double_double() {
+                super::$check::<eigenbody::scalar::Dd>();
+            }
+        })*
+    };
+}
+
+mod allocation;
+mod dynamics;
+mod factor;
 mod family;
+mod robots;

@@ -1,0 +1,94 @@
+//! Proof that what promises not to allocate does not: an allocator that counts.
+
+use crate::robots::{Case, plan};
+use allocation_counter::measure;
+use eigenbody::dynamics::{
+    AbaWorkspace, CrbaWorkspace, MomentumWorkspace, RneaWorkspace, bias_force_into, energy_into,
+    floating_mass_matrix_into, forward_dynamics_into, gravity_force_into, inverse_dynamics_into, link_pose,
+    mass_matrix_into, momentum_into,
+};
+use eigenbody::factor::{Ltdl, Ltl};
+use eigenbody::scalar::{Dd, Real};
+use eigenbody::{Base, Family, Matrix, Model};
+use std::collections::BTreeSet;
+
+/// Fixed and floating robots whose joints are, together, of every kind.
+fn robots<T: Real>() -> Vec<Case<T>> {
+    let auto = Family::auto_tree(16, 1.5, 0.3, 0.9).unwrap();
+    let models: Vec<Model<T>> = vec![
+        auto.model().unwrap(),
+        auto.floating().model().unwrap(),
+        plan(5, 30).build(Base::Fixed),
+        plan(5, 30).build(Base::Floating),
+    ];
+    let kinds: BTreeSet<&str> = models.iter().flat_map(Model::joints).map(|j| j.kind().kind()).collect();
+    assert_eq!(kinds.len(), 9, "{kinds:?}");
+    models.into_iter().map(|model| Case::new(String::new(), model, 3)).collect()
+}
+
+#[track_caller]
+fn assert_none(what: &str, run: impl FnOnce()) {
+    let counted = measure(run);
+    assert_eq!((counted.count_total, counted.bytes_total), (0, 0), "{what} allocates");
+}
+
+fn dynamics_allocate_nothing<T: Real>() {
+    for Case { model, q, v, vdot, .. } in robots::<T>() {
+        let nv = model.nv();
+        let mut out = vec![T::ZERO; nv];
+        let mut H = Matrix::zeros(nv, nv);
+
+        let mut rnea = RneaWorkspace::new(&model);
+        assert_none("RNEA", || inverse_dynamics_into(&model, &q, &v, &vdot, &mut rnea, &mut out).unwrap());
+        assert_none("bias force", || bias_force_into(&model, &q, &v, &mut rnea, &mut out).unwrap());
+        assert_none("gravity force", || gravity_force_into(&model, &q, &mut rnea, &mut out).unwrap());
+
+        let mut aba = AbaWorkspace::new(&model);
+        assert_none("ABA", || forward_dynamics_into(&model, &q, &v, &vdot, &mut aba, &mut out).unwrap());
+
+        let mut crba = CrbaWorkspace::new(&model);
+        assert_none("CRBA", || mass_matrix_into(&model, &q, &mut crba, &mut H).unwrap());
+        if model.has_floating_base() {
+            let mut reduced = Matrix::zeros(nv - 6, nv - 6);
+            assert_none("H*", || {
+                floating_mass_matrix_into(&model, &q, &mut crba, &mut H, &mut reduced).unwrap();
+            });
+        }
+
+        let mut sweep = MomentumWorkspace::new(&model);
+        assert_none("momentum", || _ = momentum_into(&model, &q, &v, &mut sweep).unwrap());
+        assert_none("energy", || _ = energy_into(&model, &q, &v, &mut sweep).unwrap());
+        assert_none("pose", || _ = link_pose(&model, &q, model.links().len() - 1).unwrap());
+    }
+}
+
+fn factors_allocate_nothing<T: Real>() {
+    for Case { model, q, v, .. } in robots::<T>() {
+        let nv = model.nv();
+        let H = eigenbody::mass_matrix(&model, &q).unwrap();
+        let mut out = Matrix::zeros(nv, nv);
+        let mut x = v;
+
+        let mut ltl = Ltl::new(model.dofs());
+        assert_none("LTL factor", || _ = ltl.factor(&H).unwrap());
+        assert_none("LTL solve", || ltl.solve(&mut x).unwrap());
+        assert_none("LTL inverse", || ltl.inverse_into(&mut out).unwrap());
+        assert_none("LTL reconstruct", || ltl.reconstruct_into(&mut out).unwrap());
+
+        let mut ltdl = Ltdl::new(model.dofs());
+        assert_none("LTDL factor", || _ = ltdl.factor(&H).unwrap());
+        assert_none("LTDL solve", || ltdl.solve(&mut x).unwrap());
+        assert_none("LTDL inverse", || ltdl.inverse_into(&mut out).unwrap());
+        assert_none("LTDL reconstruct", || ltdl.reconstruct_into(&mut out).unwrap());
+    }
+}
+
+scalars!(dynamics_allocate_nothing, factors_allocate_nothing);
+
+/// The counter counts: the allocating doors are seen.
+#[test]
+fn counter_sees_an_allocation() {
+    let Case { model, q, .. } = &robots::<Dd>()[0];
+    let counted = measure(|| _ = eigenbody::mass_matrix(model, q).unwrap());
+    assert!(counted.count_total > 0);
+}
