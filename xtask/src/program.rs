@@ -1,8 +1,8 @@
 //! Running other programs from the root of the repository.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::Outcome;
@@ -64,14 +64,12 @@ fn not_started(command: &Command, error: &std::io::Error) -> String {
 /// The call as one would type it in the root.
 fn line(command: &Command) -> String {
     let root = root();
-    let words = std::iter::once(command.get_program()).chain(command.get_args());
-    let words: Vec<String> = words
-        .map(|word| {
-            let short = std::path::Path::new(word).strip_prefix(&root).map_or(word, |path| path.as_os_str());
-            short.to_string_lossy().into_owned()
-        })
-        .collect();
-    words.join(" ")
+    let inside = |word: &OsStr| Path::new(word).strip_prefix(&root).ok().map(Path::to_path_buf);
+    let name = Path::new(command.get_program());
+    let name = inside(name.as_os_str()).or_else(|| name.file_name().map(PathBuf::from)).unwrap_or_default();
+    let arguments = command.get_args().map(|word| inside(word).unwrap_or_else(|| PathBuf::from(word)));
+    let words = std::iter::once(name).chain(arguments).map(|word| word.display().to_string());
+    words.collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -85,9 +83,10 @@ mod tests {
     }
 
     #[test]
-    fn paths_inside_the_repository_are_shown_relative_to_it() {
-        let mut command = program("python3");
+    fn calls_are_shown_as_typed_in_the_root() {
+        let mut command = program(root().join(".oracle/bin/python"));
         command.arg(root().join("oracle/conformance.py")).arg("--quick");
-        assert_eq!(line(&command), "python3 oracle/conformance.py --quick");
+        assert_eq!(line(&command), ".oracle/bin/python oracle/conformance.py --quick");
+        assert_eq!(line(program("/opt/rust/bin/cargo").arg("test")), "cargo test");
     }
 }
