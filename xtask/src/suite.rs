@@ -15,9 +15,9 @@ const CHECKS: [Step; 4] = [
 ];
 
 const TESTS: [Step; 3] = [
+    Step { name: "cargo test", needs: None, run: cargo_test },
     Step { name: "oracle", needs: None, run: oracle::prepare },
     Step { name: "conformance", needs: Some("oracle"), run: conformance::check },
-    Step { name: "cargo test", needs: None, run: cargo_test },
 ];
 
 /// Every test there is.
