@@ -107,21 +107,27 @@ impl<'a> Configuration<'a> {
             let mut names =
                 ends.map(|end| (end, rest[..end].trim_end())).take_while(|(_, n)| n.len() <= longest);
             let Some((end, joint)) = names.find_map(|(end, name)| Some((end, *joints.get(name)?))) else {
-                let message = match rest.split_once('=') {
-                    None if start == 0 => EXPECTED.to_owned(),
-                    None => "expected joint=value".to_owned(),
-                    Some((name, _)) => {
-                        let near = did_you_mean(name.trim(), joints.keys().copied());
-                        format!("no moving joint is named '{}'{near}", shortened(name.trim()))
-                    }
-                };
-                return Err(reader.error(start, message));
+                return Err(reader.error(start, self.unknown(rest, start, joints.keys().copied())));
             };
             reader.skip(end);
             reader.expect('=')?;
             self.joint(reader, start, joint)?;
-            if !reader.eat(',') {
-                return Ok(());
+            match reader.rest() {
+                "" => return Ok(()),
+                _ if reader.eat(',') => {}
+                _ => return Err(reader.unexpected("',' or the end")),
+            }
+        }
+    }
+
+    /// Why no joint's name stands at `start`.
+    fn unknown<'n>(&self, rest: &str, start: usize, names: impl Iterator<Item = &'n str>) -> String {
+        match rest.split_once('=').map(|(name, _)| name.trim()) {
+            None if start == 0 => EXPECTED.to_owned(),
+            None => "expected joint=value".to_owned(),
+            Some("q") => format!("q takes a list of {} numbers: q=[..]", self.p.len()),
+            Some(name) => {
+                format!("no moving joint is named '{}'{}", shortened(name), did_you_mean(name, names))
             }
         }
     }
@@ -135,26 +141,24 @@ impl<'a> Configuration<'a> {
     ) -> Result<(), ExpressionError> {
         let (name, count) = (joint.name(), joint.kind().nq());
         let Some(first) = self.independent(joint.coordinates().start) else {
-            return Err(reader.error(start, format!("joint '{name}' is a mimic joint: it follows another")));
+            return Err(reader.error(
+                start,
+                format!("joint '{name}' is a mimic joint: it follows another and has no value of its own"),
+            ));
         };
         if self.offsets[first].is_some() {
             return Err(reader.error(start, format!("a second value for joint '{name}'")));
         }
         let offset = reader.offset();
         let values = match reader.value()? {
-            Value::Number(value) if count == 1 => vec![value],
-            Value::Number(_) => {
-                return Err(
-                    reader.error(offset, format!("joint '{name}' has a list of {count} numbers, found one"))
-                );
-            }
+            Value::Number(value) => vec![value],
             Value::List(list) => list.iter().map(|number| number.value).collect(),
         };
         if values.len() != count {
-            let found = values.len();
-            return Err(
-                reader.error(offset, format!("joint '{name}' has {count} coordinates, found {found}"))
-            );
+            let expected =
+                if count == 1 { "one number".into() } else { format!("a list of {count} numbers") };
+            let message = format!("joint '{name}' takes {expected}, found {}", values.len());
+            return Err(reader.error(offset, message));
         }
         self.p[first..first + count].copy_from_slice(&values);
         self.offsets[first..first + count].fill(Some(offset));

@@ -17,7 +17,7 @@ use thiserror::Error;
 
 /// Something at one column of an expression.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[error("{}, column {column}: {message}", shortened(text))]
+#[error("{}, column {column}: {message}", if text.trim().is_empty() { "empty text".into() } else { shortened(text) })]
 pub struct ExpressionError {
     /// The whole expression.
     pub text: String,
@@ -162,7 +162,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn unexpected(&mut self, expected: &str) -> ExpressionError {
+    /// Something else stands next than what is expected.
+    pub fn unexpected(&mut self, expected: &str) -> ExpressionError {
         let found = self.found();
         self.error(self.at, format!("expected {expected}, found {found}"))
     }

@@ -2,7 +2,7 @@
 //!
 //! Read are `<link>` with `<inertial>` and `<joint>` with `<origin>`, `<axis>`, `<limit>` and `<mimic>`, as children of
 //! `<robot>`; all else leaves H as it is and is passed over. Coordinates follow the order of the `<joint>` elements.
-//! Units are SI; a link without `<inertial>` is a frame without mass.
+//! A link without `<inertial>` is a frame without mass; a planar joint moves in the plane normal to its axis; units are SI.
 
 mod element;
 mod fault;
@@ -110,10 +110,11 @@ fn model(robot: Element<'_, '_>, base: Base) -> Result<(Model<f64>, Offsets), Fa
 
 /// The builder's error at the element that it is about.
 fn located(robot: Element<'_, '_>, offsets: &Offsets, error: BuildError) -> Fault {
+    let at = |offsets: &[usize], index: usize| offsets.get(index).copied().unwrap_or(robot.offset());
     let (offset, found) = match error.place() {
         Place::Model => (robot.offset(), None),
-        Place::Link(id) => (offsets.links[id.index()], robot.children("link").nth(id.index())),
-        Place::Joint(id) => (offsets.joints[id.index()], robot.children("joint").nth(id.index())),
+        Place::Link(id) => (at(&offsets.links, id.index()), robot.children("link").nth(id.index())),
+        Place::Joint(id) => (at(&offsets.joints, id.index()), robot.children("joint").nth(id.index())),
     };
     let duplicate = matches!(error, BuildError::DuplicateLink { .. } | BuildError::DuplicateJoint { .. });
     let fault = match found.filter(|_| duplicate) {
