@@ -1,3 +1,33 @@
-//! The eigenbody command.
+//! The `eigenbody` command: how well-conditioned is this robot?
+//!
+//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 2 error.
 
-fn main() {}
+// H is the book's symbol.
+#![allow(non_snake_case)]
+
+mod args;
+mod commands;
+mod failure;
+mod output;
+mod system;
+
+use args::{Args, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let args = Args::parse();
+    let result = match &args.command {
+        None => commands::welcome::run(),
+        Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum),
+        Some(Command::Matrix(matrix)) => commands::matrix::run(matrix),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) if failure.is_closed_pipe() => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -25,6 +25,8 @@ fn arithmetic_is_that_of_f64() {
         ("+-+2", -2.0),
         ("1 - 2 - 3", -4.0),
         ("8/4/2", 1.0),
+        // 49·(1/49) is not 1.
+        ("49/49", 1.0),
         ("1 + 2*3", 7.0),
         ("(1 + 2)*3", 9.0),
         ("2*-3", -6.0),
@@ -87,6 +89,7 @@ fn what_is_no_number_is_named_with_its_column() {
     assert_snapshot!(error("(1"), @"(1, column 3: expected ')', found the end");
     assert_snapshot!(error("1)"), @"1), column 2: expected the end, found ')'");
     assert_snapshot!(error("2^3"), @"2^3, column 2: expected the end, found '^'");
+    assert_snapshot!(error("π + π + x"), @"π + π + x, column 9: 'x' is not a number; expected a number such as 0.3 or pi/2");
     assert_snapshot!(error("0x10"), @"0x10, column 2: expected the end, found 'x10'");
     assert_snapshot!(error("1e"), @"1e, column 2: expected the end, found 'e'");
     assert_snapshot!(error("α + é\n"), @r#"α + é\n, column 1: 'α' is not a number; expected a number such as 0.3 or pi/2"#);
@@ -104,6 +107,7 @@ fn values_past_the_range_are_refused_where_they_arise() {
 #[test]
 fn depth_is_bounded_and_length_is_not() {
     assert_eq!(number(&format!("{}1{}", "(".repeat(64), ")".repeat(64))), Ok(1.0));
+    assert_eq!(number(&"(1)+".repeat(1000).add("1")), Ok(1001.0));
     assert_snapshot!(error(&"(".repeat(1_000_000)), @"((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((…, column 65: more than 64 nested parentheses");
     assert_eq!(number(&"-".repeat(1_000_000).add("1")), Ok(1.0));
     assert_eq!(number(&"1+".repeat(100_000).add("1")), Ok(100_001.0));

@@ -39,6 +39,8 @@ pub struct SpectrumReport {
     pub dofs: usize,
     /// Metric B.
     pub metric: String,
+    /// Unit of the eigenvalues.
+    pub unit: &'static str,
     /// How the eigenvalues were computed.
     pub method: String,
     /// Smallest eigenvalue.
@@ -72,6 +74,7 @@ impl SpectrumReport {
     pub fn new(
         subject: Subject,
         metric: &Metric<f64>,
+        unit: &'static str,
         result: &Conditioning<f64>,
         weights: &[f64],
         names: &[String],
@@ -86,6 +89,7 @@ impl SpectrumReport {
             subject,
             dofs: names.len(),
             metric: metric.to_string(),
+            unit,
             method: "dense".into(),
             lambda_min: finite(result.lambda_min),
             lambda_max: finite(result.lambda_max),

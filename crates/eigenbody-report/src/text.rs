@@ -1,8 +1,8 @@
 //! The spectrum as a page for the terminal.
 
 use crate::number::significant;
-use crate::spectrum::{ModeReport, SpectrumReport};
-use comfy_table::{CellAlignment, Table, presets};
+use crate::spectrum::{ModeReport, SpectrumReport, Subject};
+use comfy_table::{Table, presets};
 use std::fmt::Write;
 
 /// Width of the largest bar.
@@ -22,7 +22,10 @@ impl SpectrumReport {
     /// The page.
     pub fn to_text(&self) -> String {
         let mut page = format!("{}\n\n", self.heading());
-        let _ = writeln!(page, "{}", self.numbers());
+        for line in self.numbers().lines() {
+            let _ = writeln!(page, "{}", line.trim_end());
+        }
+        page.push('\n');
         let titled = |what: &str, lambda: Option<f64>| match lambda {
             Some(lambda) => format!("{what} mode, λ = {}", significant(lambda, 4)),
             None => format!("{what} mode"),
@@ -36,8 +39,11 @@ impl SpectrumReport {
         .collect();
         page.push_str(&crate::text::modes(&modes));
         if let Some(eigenvalues) = &self.eigenvalues {
-            let numbers: Vec<String> = eigenvalues.iter().map(|&x| significant(x, 6)).collect();
-            let _ = writeln!(page, "\n  eigenvalues  {}", wrap(&numbers.join("  "), 64, "               "));
+            page.push_str("\n  eigenvalues, ascending\n");
+            for row in eigenvalues.chunks(6) {
+                let cells: Vec<String> = row.iter().map(|&x| format!("{:<12}", significant(x, 6))).collect();
+                let _ = writeln!(page, "  {}", cells.concat().trim_end());
+            }
         }
         if let Some(note) = &self.note {
             let _ = writeln!(page, "\n  note: {}", wrap(note, 72, "        "));
@@ -45,7 +51,9 @@ impl SpectrumReport {
         if !self.findings.is_empty() {
             let _ = writeln!(page, "\n  {} on the model:", count(self.findings.len(), "finding", "findings"));
             for finding in self.findings.iter().take(SHOWN) {
-                let _ = writeln!(page, "  - {}", wrap(finding, 74, "    "));
+                let place = finding.strip_prefix(&self.subject.model).and_then(|rest| rest.strip_prefix(':'));
+                let finding = place.map_or_else(|| finding.clone(), |rest| format!("line {rest}"));
+                let _ = writeln!(page, "  - {}", wrap(&finding.replace(" warning:", ""), 74, "    "));
             }
             if self.findings.len() > SHOWN {
                 let _ = writeln!(page, "  - .. and {} more (--json lists all)", self.findings.len() - SHOWN);
@@ -55,45 +63,39 @@ impl SpectrumReport {
     }
 
     fn heading(&self) -> String {
+        let Subject { model, bodies, base, configuration, .. } = &self.subject;
         format!(
-            "{}: {}, {}, {} base, at {}",
-            self.subject.model,
-            count(self.subject.bodies, "moving body", "moving bodies"),
+            "{model}\n  {}, {}, {base} base, at {configuration}",
+            count(*bodies, "moving body", "moving bodies"),
             count(self.dofs, "degree of freedom", "degrees of freedom"),
-            self.subject.base,
-            self.subject.configuration
         )
     }
 
     fn numbers(&self) -> Table {
         let show = |x: Option<f64>| x.map_or_else(|| "–".into(), |x| significant(x, 6));
-        let bracket = self.bracket.map_or_else(String::new, |[lo, hi]| {
-            format!("{} ≤ κ ≤ {}, always", significant(lo, 3), significant(hi, 3))
-        });
+        let with_unit = |x: Option<f64>| match x {
+            Some(x) => format!("{} {}", significant(x, 6), self.unit).trim_end().to_owned(),
+            None => "–".into(),
+        };
+        let kappa = format!("λmax/λmin, {} metric: for gains and time steps", self.metric);
         let digits = self.kappa_weighted.map_or_else(String::new, |weighted| {
             let left = |digits: f64| (digits - weighted.log10()).max(0.0).floor();
-            format!("solves with H keep about {} of 16 digits, in f32 {} of 7", left(16.0), left(7.2))
+            format!("digits left in a solve: {} of 15 in f64, {} of 7 in f32", left(15.95), left(7.22))
         });
-        let unit = if self.metric == "unit-diagonal" { "" } else { " kg m²" };
-        let with_unit =
-            |x: Option<f64>| x.map_or_else(|| "–".into(), |x| format!("{}{unit}", significant(x, 6)));
+        let bracket = self.bracket.map_or_else(String::new, |[lo, hi]| {
+            format!("bracket: {} ≤ κ ≤ {}", significant(lo, 3), significant(hi, 3))
+        });
         let mut table = Table::new();
         table.load_style(presets::NOTHING);
-        table.add_row([
-            "κ",
-            &show(self.kappa),
-            &format!("λmax/λmin, {} metric: gains, time steps", self.metric),
-        ]);
+        table.add_row(["κ", &show(self.kappa), &kappa]);
         table.add_row(["κ'", &show(self.kappa_weighted), &digits]);
         table.add_row(["r", &show(self.diagonal_ratio), &bracket]);
         table.add_row(["λmin", &with_unit(self.lambda_min), "inertia of the softest motion"]);
         table.add_row(["λmax", &with_unit(self.lambda_max), "inertia of the stiffest motion"]);
-        if let Some(column) = table.column_mut(0) {
-            column.set_padding((2, 1));
-        }
-        if let Some(column) = table.column_mut(1) {
-            column.set_cell_alignment(CellAlignment::Left);
-            column.set_padding((1, 2));
+        for (column, padding) in [(0, (2, 1)), (1, (1, 2))] {
+            if let Some(column) = table.column_mut(column) {
+                column.set_padding(padding);
+            }
         }
         table
     }

@@ -3,9 +3,9 @@
 use crate::robots::{Case, plan};
 use allocation_counter::measure;
 use eigenbody::dynamics::{
-    AbaWorkspace, CrbaWorkspace, MomentumWorkspace, RneaWorkspace, bias_force_into, energy_into,
-    floating_mass_matrix_into, forward_dynamics_into, gravity_force_into, inverse_dynamics_into, link_pose,
-    mass_matrix_into, momentum_into,
+    AbaWorkspace, CrbaWorkspace, FloatingWorkspace, MomentumWorkspace, RneaWorkspace, bias_force_into,
+    energy_into, floating_mass_matrix_into, forward_dynamics_into, gravity_force_into, inverse_dynamics_into,
+    link_pose, mass_matrix_into, momentum_into,
 };
 use eigenbody::factor::{Ltdl, Ltl};
 use eigenbody::scalar::{Dd, Real};
@@ -49,10 +49,9 @@ fn dynamics_allocate_nothing<T: Real>() {
         let mut crba = CrbaWorkspace::new(&model);
         assert_none("CRBA", || mass_matrix_into(&model, &q, &mut crba, &mut H).unwrap());
         if model.has_floating_base() {
-            let mut reduced = Matrix::zeros(nv - 6, nv - 6);
-            assert_none("H*", || {
-                floating_mass_matrix_into(&model, &q, &mut crba, &mut H, &mut reduced).unwrap();
-            });
+            let (mut reduced, mut room) =
+                (Matrix::zeros(nv - 6, nv - 6), FloatingWorkspace::new(&model).unwrap());
+            assert_none("H*", || floating_mass_matrix_into(&model, &q, &mut room, &mut reduced).unwrap());
         }
 
         let mut sweep = MomentumWorkspace::new(&model);

@@ -31,4 +31,7 @@ mod allocation;
 mod dynamics;
 mod factor;
 mod family;
+mod joint;
+mod model;
 mod robots;
+mod scalar;

@@ -101,6 +101,39 @@ impl<T: Real> Plan<T> {
         self
     }
 
+    /// The same robot with the frame of one link turned and shifted: `new` goes from the old frame to the new one.
+    pub fn turn(&mut self, name: &str, new: Transform<T>) {
+        let link = self.links.iter_mut().find(|link| link.name == name).unwrap();
+        link.inertia = new.inverse().transpose_rigid(link.inertia);
+        for joint in &mut self.joints {
+            if joint.parent == name {
+                joint.placement = joint.placement * new.inverse();
+            }
+            if joint.child == name {
+                joint.placement = new * joint.placement;
+                joint.axis = new.E * joint.axis;
+                if let Joint::Universal { first } = &mut joint.kind {
+                    *first = new.E * *first;
+                }
+            }
+        }
+    }
+
+    /// One fixed joint less: its child made part of its parent. False if there is none.
+    pub fn merge_one(&mut self) -> bool {
+        let Some(j) = self.joints.iter().position(|joint| joint.kind == Joint::Fixed) else { return false };
+        let fixed = self.joints.remove(j);
+        let child = self.links.iter().position(|link| link.name == fixed.child).unwrap();
+        let child = self.links.remove(child);
+        let parent = self.links.iter_mut().find(|link| link.name == fixed.parent).unwrap();
+        parent.inertia += fixed.placement.transpose_rigid(child.inertia);
+        for joint in self.joints.iter_mut().filter(|joint| joint.parent == fixed.child) {
+            joint.parent = fixed.parent.clone();
+            joint.placement = joint.placement * fixed.placement;
+        }
+        true
+    }
+
     pub fn build(&self, base: Base) -> Model<T> {
         let mut robot = ModelBuilder::new("random");
         robot.gravity(Vec3::from_f64([1.0, -3.0, -9.0]));

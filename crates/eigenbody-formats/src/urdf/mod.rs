@@ -90,8 +90,8 @@ fn model(robot: Element<'_, '_>, base: Base) -> Result<(Model<f64>, Offsets), Fa
     for element in robot.children("link") {
         let name = element.attribute("name")?;
         let id = builder.link(name, link::inertia(element)?);
-        // The first of two links with one name; the builder refuses the second.
-        links.entry(name).or_insert(id);
+        // Of two links with one name either will do: the builder refuses them.
+        links.insert(name, id);
         offsets.links.push(element.offset());
     }
     let find = |name: &str| match links.get(name) {

@@ -12,6 +12,7 @@
 //! Featherstone (2008), table 6.2. Cost O(N·depth).
 
 use super::kinematics::Kinematics;
+use super::reroot::TreeBody;
 use super::rnea::check_out;
 use crate::error::InputError;
 use crate::matrix::Matrix;
@@ -22,9 +23,9 @@ use crate::spatial::RigidInertia;
 /// Room for [`mass_matrix_into`].
 #[derive(Debug, Clone)]
 pub struct CrbaWorkspace<T> {
-    pub(super) kinematics: Kinematics<T>,
+    kinematics: Kinematics<T>,
     /// N: inertia of each body with all that it carries, frozen. Accumulated backwards.
-    pub(super) Ic: Vec<RigidInertia<T>>,
+    Ic: Vec<RigidInertia<T>>,
 }
 
 impl<T: Scalar> CrbaWorkspace<T> {
@@ -77,18 +78,32 @@ pub fn mass_matrix_into<T: Real>(
     model.check_q(q)?;
     check_out("rows of H", H.rows(), model.nv())?;
     check_out("columns of H", H.cols(), model.nv())?;
-    workspace.kinematics.update(model, q);
-    crba(model, workspace, H);
+    let CrbaWorkspace { kinematics, Ic } = workspace;
+    kinematics.update(model, q);
+    crba(&model.bodies, kinematics, &model.armature, Ic, H);
     Ok(())
 }
 
-/// Both loops; the kinematics stand in the workspace.
+/// Both loops, over any tree of which the kinematics are known.
 #[inline(always)]
-pub(super) fn crba<T: Scalar>(model: &Model<T>, workspace: &mut CrbaWorkspace<T>, H: &mut Matrix<T>) {
-    composite_inertias(model, workspace);
-    let CrbaWorkspace { kinematics: Kinematics { X_up, S }, Ic } = workspace;
+pub(super) fn crba<T: Scalar, B: TreeBody<T>>(
+    bodies: &[B],
+    Kinematics { X_up, S }: &Kinematics<T>,
+    armature: &[T],
+    Ic: &mut [RigidInertia<T>],
+    H: &mut Matrix<T>,
+) {
+    for (Ic, body) in Ic.iter_mut().zip(bodies) {
+        *Ic = body.inertia();
+    }
+    for (i, body) in bodies.iter().enumerate().rev() {
+        if let Some(p) = body.parent() {
+            let carried = X_up[i].transpose_rigid(Ic[i]);
+            Ic[p] += carried;
+        }
+    }
     H.fill(T::ZERO);
-    for (i, body) in model.bodies.iter().enumerate() {
+    for (i, body) in bodies.iter().enumerate() {
         let dofs = body.dofs();
         for d in dofs.clone() {
             let mut F = Ic[i].times(S[d]);
@@ -98,31 +113,16 @@ pub(super) fn crba<T: Scalar>(model: &Model<T>, workspace: &mut CrbaWorkspace<T>
                 H[(e, d)] = H_de;
             }
             let mut j = i;
-            while let Some(p) = model.bodies[j].parent() {
+            while let Some(p) = bodies[j].parent() {
                 F = X_up[j].transpose_force(F);
-                for e in model.bodies[p].dofs() {
+                for e in bodies[p].dofs() {
                     let H_de = S[e].dot(F);
                     H[(d, e)] = H_de;
                     H[(e, d)] = H_de;
                 }
                 j = p;
             }
-            H[(d, d)] += model.armature[d];
-        }
-    }
-}
-
-/// Ic of every body.
-#[inline(always)]
-pub(super) fn composite_inertias<T: Scalar>(model: &Model<T>, workspace: &mut CrbaWorkspace<T>) {
-    let CrbaWorkspace { kinematics: Kinematics { X_up, .. }, Ic } = workspace;
-    for (Ic, body) in Ic.iter_mut().zip(&model.bodies) {
-        *Ic = body.I;
-    }
-    for (i, body) in model.bodies.iter().enumerate().rev() {
-        if let Some(p) = body.parent() {
-            let carried = X_up[i].transpose_rigid(Ic[i]);
-            Ic[p] += carried;
+            H[(d, d)] += armature[d];
         }
     }
 }

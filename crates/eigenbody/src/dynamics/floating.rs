@@ -3,17 +3,61 @@
 //! ```text
 //! H = [H_bb H_bj; H_jb H_jj]       H* = H_jj − H_jb H_bb⁻¹ H_bj
 //! ```
-//! Featherstone (2004), §4.6. H_bb = C Cᵀ is eliminated column by column, so H* = H_jj − YᵀY with C Y = H_bj.
+//! Featherstone (2004), §4.6. H* does not depend on which body is called the base, but the difference cancels where the base is
+//! light against what it carries: it is taken from the heaviest body. H_bb is eliminated column by column.
 
-use super::crba::{CrbaWorkspace, mass_matrix_into};
+use super::crba::crba;
+use super::kinematics::Kinematics;
+use super::reroot::Rerooted;
 use super::rnea::check_out;
 use crate::error::{Error, InputError, NotPositiveDefinite};
 use crate::matrix::Matrix;
-use crate::model::Model;
+use crate::model::{Coupling, Model};
 use crate::scalar::Real;
+use crate::spatial::RigidInertia;
 
 /// Degrees of freedom of a floating base.
 pub(super) const BASE: usize = 6;
+
+/// Room for [`floating_mass_matrix_into`].
+#[derive(Debug, Clone)]
+pub struct FloatingWorkspace<T> {
+    /// The tree at q as the model has it, and as seen from the heaviest body.
+    kinematics: Kinematics<T>,
+    tree: Rerooted<T>,
+    /// N: composite inertias of the second tree.
+    Ic: Vec<RigidInertia<T>>,
+    /// nv × nv: H on the heaviest body, then partly eliminated.
+    H: Matrix<T>,
+}
+
+impl<T: Real> FloatingWorkspace<T> {
+    /// Room for a model with a floating base.
+    ///
+    /// Errors: [`InputError::NoFloatingBase`]; [`InputError::TooLargeForDense`].
+    pub fn new(model: &Model<T>) -> Result<Self, InputError> {
+        if !model.has_floating_base() {
+            return Err(InputError::NoFloatingBase);
+        }
+        model.check_dense()?;
+        Ok(Self {
+            kinematics: Kinematics::new(model),
+            tree: Rerooted::new(model),
+            Ic: vec![RigidInertia::ZERO; model.bodies.len()],
+            H: Matrix::zeros(model.nv(), model.nv()),
+        })
+    }
+
+    /// H with the heaviest body as the base: the joints' part is the model's own.
+    fn mass_matrix(&mut self, model: &Model<T>, q: &[T]) -> Result<(), InputError> {
+        model.check_q(q)?;
+        let Self { kinematics, tree, Ic, H } = self;
+        kinematics.update(model, q);
+        tree.update(model, kinematics);
+        crba(&tree.bodies, &tree.kinematics, &model.armature, Ic, H);
+        Ok(())
+    }
+}
 
 /// H*(q): the inertia that the joints of a free-floating robot feel.
 ///
@@ -22,8 +66,8 @@ pub(super) const BASE: usize = 6;
 /// | `q` | `nq`, the base's pose included (H* does not depend on it) | rad, m, unit quaternion |
 /// | H* (returned) | (`nv` − 6) × (`nv` − 6) | kg m², kg m, kg |
 ///
-/// Method: Schur complement of the base in H. O(nv²); allocates. Numerics: cancels where the base is light against what it
-/// carries; relative error up to ε·max H_jj/H*_jj.
+/// Method: composite rigid bodies on the tree seen from its heaviest body, then the Schur complement of the base. O(nv²);
+/// allocates. Numerics: every entry to a few ε of √(H_dd H_ee) on that base.
 ///
 /// Errors: [`InputError`] if q does not fit, the base is fixed, or nv is too large; [`NotPositiveDefinite`] if the whole
 /// robot has no inertia in some direction.
@@ -36,23 +80,20 @@ pub(super) const BASE: usize = 6;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn floating_mass_matrix<T: Real>(model: &Model<T>, q: &[T]) -> Result<Matrix<T>, Error> {
-    model.check_dense()?;
-    let nv = model.nv();
-    let mut H = Matrix::zeros(nv, nv);
-    let joints = nv.saturating_sub(BASE);
+    let mut workspace = FloatingWorkspace::new(model)?;
+    let joints = model.nv() - BASE;
     let mut floating = Matrix::zeros(joints, joints);
-    floating_mass_matrix_into(model, q, &mut CrbaWorkspace::new(model), &mut H, &mut floating)?;
+    floating_mass_matrix_into(model, q, &mut workspace, &mut floating)?;
     Ok(floating)
 }
 
-/// [`floating_mass_matrix`] into the caller's memory, with room for H; allocates nothing.
+/// [`floating_mass_matrix`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`floating_mass_matrix`], and if a matrix has the wrong size. `H` is left partly eliminated.
+/// Errors: as [`floating_mass_matrix`], and if `floating` has the wrong size.
 pub fn floating_mass_matrix_into<T: Real>(
     model: &Model<T>,
     q: &[T],
-    workspace: &mut CrbaWorkspace<T>,
-    H: &mut Matrix<T>,
+    workspace: &mut FloatingWorkspace<T>,
     floating: &mut Matrix<T>,
 ) -> Result<(), Error> {
     if !model.has_floating_base() {
@@ -61,23 +102,28 @@ pub fn floating_mass_matrix_into<T: Real>(
     let joints = model.nv() - BASE;
     check_out("rows of H*", floating.rows(), joints)?;
     check_out("columns of H*", floating.cols(), joints)?;
-    mass_matrix_into(model, q, workspace, H)?;
-    eliminate_base(H)?;
-    for d in 0..joints {
-        floating.row_mut(d).copy_from_slice(&H.row(BASE + d)[BASE..]);
-    }
+    workspace.mass_matrix(model, q)?;
+    remove_base(&mut workspace.H, floating)?;
     Ok(())
 }
 
-/// H* of any matrix whose first six DoFs are the base; the matrix is left partly eliminated.
-pub(super) fn remove_base<T: Real>(H: &mut Matrix<T>) -> Result<Matrix<T>, NotPositiveDefinite> {
-    eliminate_base(H)?;
+/// H* of the mimic-reduced matrix Gᵀ H G.
+pub(super) fn coupled_floating_mass_matrix<T: Real>(
+    model: &Model<T>,
+    coupling: &Coupling<T>,
+    q: &[T],
+) -> Result<Matrix<T>, Error> {
+    let mut workspace = FloatingWorkspace::new(model)?;
+    workspace.mass_matrix(model, q)?;
+    let mut H = coupling.reduce(&workspace.H);
     let joints = H.rows() - BASE;
-    Ok(Matrix::from_fn(joints, joints, |d, e| H[(BASE + d, BASE + e)]))
+    let mut floating = Matrix::zeros(joints, joints);
+    remove_base(&mut H, &mut floating)?;
+    Ok(floating)
 }
 
-/// Six steps of elimination on a symmetric matrix, both triangles kept.
-fn eliminate_base<T: Real>(H: &mut Matrix<T>) -> Result<(), NotPositiveDefinite> {
+/// Six steps of elimination on a symmetric matrix whose first six DoFs are the base, and what is left of the others.
+fn remove_base<T: Real>(H: &mut Matrix<T>, floating: &mut Matrix<T>) -> Result<(), NotPositiveDefinite> {
     let n = H.rows();
     for k in 0..BASE {
         let pivot = H[(k, k)];
@@ -92,6 +138,9 @@ fn eliminate_base<T: Real>(H: &mut Matrix<T>) -> Result<(), NotPositiveDefinite>
                 H[(j, i)] = reduced;
             }
         }
+    }
+    for d in 0..n - BASE {
+        floating.row_mut(d).copy_from_slice(&H.row(BASE + d)[BASE..]);
     }
     Ok(())
 }

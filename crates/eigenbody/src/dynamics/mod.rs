@@ -11,13 +11,14 @@ mod floating;
 mod kinematics;
 mod momentum;
 mod reduction;
+mod reroot;
 mod rnea;
 
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
 pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
 pub use energy::{Energy, energy, energy_into};
-pub use floating::{floating_mass_matrix, floating_mass_matrix_into};
+pub use floating::{FloatingWorkspace, floating_mass_matrix, floating_mass_matrix_into};
 pub use kinematics::{Kinematics, link_pose};
 pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
 pub use reduction::Reduction;

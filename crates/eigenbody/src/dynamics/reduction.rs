@@ -5,8 +5,8 @@
 //! ```
 
 use super::crba::mass_matrix;
-use super::floating::remove_base;
-use crate::error::{Error, InputError};
+use super::floating::{BASE, coupled_floating_mass_matrix, floating_mass_matrix};
+use crate::error::Error;
 use crate::matrix::Matrix;
 use crate::model::Model;
 use crate::scalar::Real;
@@ -38,14 +38,13 @@ impl Reduction {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn mass_matrix<T: Real>(&self, model: &Model<T>, q: &[T]) -> Result<Matrix<T>, Error> {
-        if self.base && !model.has_floating_base() {
-            return Err(InputError::NoFloatingBase.into());
+        let coupling = model.coupling().filter(|_| self.mimic);
+        match (self.base, coupling) {
+            (false, None) => Ok(mass_matrix(model, q)?),
+            (false, Some(coupling)) => Ok(coupling.reduce(&mass_matrix(model, q)?)),
+            (true, None) => floating_mass_matrix(model, q),
+            (true, Some(coupling)) => coupled_floating_mass_matrix(model, coupling, q),
         }
-        let mut H = mass_matrix(model, q)?;
-        if let (true, Some(coupling)) = (self.mimic, model.coupling()) {
-            H = coupling.reduce(&H);
-        }
-        if self.base { Ok(remove_base(&mut H)?) } else { Ok(H) }
     }
 
     /// The model's DoF that each row stands for.
@@ -54,7 +53,7 @@ impl Reduction {
             (true, Some(coupling)) => coupling.independent_dofs().to_vec(),
             _ => (0..model.nv()).collect(),
         };
-        let base = if self.base && model.has_floating_base() { super::floating::BASE } else { 0 };
+        let base = if self.base && model.has_floating_base() { BASE } else { 0 };
         all[base..].to_vec()
     }
 }

@@ -15,7 +15,7 @@ use crate::scalar::Real;
 pub struct SymmetricEigen<T> {
     /// λ, ascending (unit of H_dd/B_dd).
     pub values: Vec<T>,
-    /// Row k is the eigenvector of `values[k]`, with xᵀBx = 1 and its largest entry positive.
+    /// Row k is the eigenvector of `values[k]`, with xᵀBx = 1 and its largest entry (weighed by B) positive.
     pub vectors: Matrix<T>,
 }
 
@@ -51,11 +51,11 @@ pub fn eigen<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<SymmetricEigen<T>,
     ascending.sort_by(|&i, &j| t.d[i].to_f64().total_cmp(&t.d[j].to_f64()));
     let mut vectors = Matrix::zeros(n, n);
     for (k, &i) in ascending.iter().enumerate() {
+        orient(V.row_mut(i));
         let x = vectors.row_mut(k);
         for (place, &d) in order.iter().enumerate() {
             x[d] = V[(i, place)] * units[d];
         }
-        orient(x);
     }
     Ok(SymmetricEigen { values: ascending.iter().map(|&i| t.d[i]).collect(), vectors })
 }
@@ -98,9 +98,9 @@ fn scale<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Scaled<T>, Error> {
 }
 
 /// The sign that makes the largest entry positive.
-fn orient<T: Real>(x: &mut [T]) {
-    let largest = x.iter().fold(T::ZERO, |m, &a| if a.abs() > m.abs() { a } else { m });
+fn orient<T: Real>(y: &mut [T]) {
+    let largest = y.iter().fold(T::ZERO, |m, &a| if a.abs() > m.abs() { a } else { m });
     if largest < T::ZERO {
-        x.iter_mut().for_each(|a| *a = -*a);
+        y.iter_mut().for_each(|a| *a = -*a);
     }
 }

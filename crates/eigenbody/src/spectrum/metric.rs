@@ -58,6 +58,20 @@ impl<T: Real> Metric<T> {
             None => Ok(weights),
         }
     }
+
+    /// Unit of the eigenvalues over DoFs of which some are translations.
+    pub fn unit(&self, is_translation: impl Iterator<Item = bool>) -> &'static str {
+        let (mut rotations, mut translations) = (false, false);
+        is_translation
+            .for_each(|translation| *(if translation { &mut translations } else { &mut rotations }) = true);
+        match self {
+            Self::UnitDiagonal => "",
+            Self::Length(_) => "kg m²",
+            _ if rotations && translations => "(kg m² and kg mixed)",
+            _ if translations => "kg",
+            _ => "kg m²",
+        }
+    }
 }
 
 impl<T: Real> fmt::Display for Metric<T> {

@@ -1,0 +1,119 @@
+//! The command line: a contract. Add, do not rename.
+
+use clap::{Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// How well-conditioned is a robot?
+///
+/// Computes the joint-space inertia matrix H(q), its eigenvalues and its condition number, and says which joints are to blame.
+/// Without a command: a report on a built-in robot, and what to try next.
+#[derive(Debug, Parser)]
+#[command(name = "eigenbody", version, disable_help_subcommand = true, max_term_width = 100)]
+pub struct Args {
+    /// What to compute.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// κ, κ', the bracket, λmin, λmax and the softest and stiffest mode in one configuration.
+    Spectrum(SpectrumArgs),
+    /// The mass matrix H itself.
+    Matrix(MatrixArgs),
+}
+
+/// Which robot, in which configuration.
+#[derive(Debug, clap::Args)]
+pub struct RobotArgs {
+    /// A URDF file, `puma560`, or a family: 'hydra(40,1,0,1)', 'onion(33,1.125,0,1)', 'chain(4, m=2.2, l=1)',
+    /// 'auto_tree(12,1.5,0.3,0.9)'.
+    pub model: String,
+
+    /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..' or 'random(seed)'.
+    #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
+    pub at: String,
+
+    /// What carries the root link. A family on a floating base loses its first joint and is studied free-floating.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+
+    /// Remove the floating base: the matrix H* that the joints of a free-floating robot feel.
+    #[arg(long)]
+    pub reduced: bool,
+
+    /// Mimic joints follow (on) or move freely (off).
+    #[arg(long, value_enum, value_name = "on|off", default_value_t = Switch::On)]
+    pub mimic: Switch,
+
+    /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
+    #[arg(long, value_name = "R")]
+    pub size_ratio: Option<f64>,
+}
+
+/// `eigenbody spectrum`.
+#[derive(Debug, clap::Args)]
+pub struct SpectrumArgs {
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotArgs,
+
+    /// What counts as a unit of motion: euclidean, unit-diagonal, length=L (L metres count as a radian), or diagonal=[..].
+    #[arg(long, default_value = "euclidean")]
+    pub metric: String,
+
+    /// List all eigenvalues.
+    #[arg(long)]
+    pub all: bool,
+
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Write to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// `eigenbody matrix`.
+#[derive(Debug, clap::Args)]
+pub struct MatrixArgs {
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotArgs,
+
+    /// Print JSON: DoF names and rows.
+    #[arg(long, conflicts_with_all = ["npy", "csv"])]
+    pub json: bool,
+
+    /// Write a NumPy file (float64, n × n).
+    #[arg(long, conflicts_with = "csv")]
+    pub npy: bool,
+
+    /// Write CSV with a heading of DoF names.
+    #[arg(long)]
+    pub csv: bool,
+
+    /// Write to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// `--base`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BaseArg {
+    /// Fastened to the world.
+    Fixed,
+    /// Free: six more degrees of freedom.
+    Floating,
+}
+
+/// `on` or `off`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Switch {
+    /// On.
+    On,
+    /// Off.
+    Off,
+}

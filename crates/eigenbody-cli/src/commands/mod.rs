@@ -1,0 +1,5 @@
+//! One file a command.
+
+pub mod matrix;
+pub mod spectrum;
+pub mod welcome;

@@ -1,0 +1,49 @@
+//! Everything that ends a command with status 2: one line each.
+
+use eigenbody_formats::FormatError;
+use std::io;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// Why a command ended.
+#[derive(Debug, Error)]
+pub enum Failure {
+    /// The model or the configuration could not be read.
+    #[error(transparent)]
+    Format(#[from] FormatError),
+    /// The robot was read, but the question has no answer.
+    #[error("{model}: {source}")]
+    Numbers {
+        /// The model as it was asked for.
+        model: String,
+        /// What the core says.
+        source: eigenbody::Error,
+    },
+    /// The built-in robot could not be built.
+    #[error(transparent)]
+    Build(#[from] eigenbody::BuildError),
+    /// An option does not fit the others.
+    #[error("{0}")]
+    Usage(String),
+    /// Standard output could not be written.
+    #[error("standard output: {0}")]
+    Stdout(io::Error),
+    /// A file could not be written; what stood there before still does.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        source: io::Error,
+    },
+    /// The serialiser failed.
+    #[error("JSON: {0}")]
+    Json(String),
+}
+
+impl Failure {
+    /// The reader of our output has gone, as `head` does: no error.
+    pub fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}

@@ -1,0 +1,130 @@
+//! The tree at q seen from another body.
+//!
+//! ```text
+//! path from the new root k up to the old one:   k = p₀, p₁, .., p_m
+//! for j = 1..m:   parent'(p_j) = p_(j−1)      X_up'(p_j) = X_up(p_(j−1))⁻¹      S'_d = −X_up(p_(j−1))⁻¹ S_d
+//! ```
+//! The joint between p_j and p_(j−1) is the same one, walked the other way: its velocity keeps its meaning, so the joints'
+//! inertia is the same from whichever body it is seen. All other bodies stay as they are. Cost O(N).
+
+use super::kinematics::Kinematics;
+use crate::model::Model;
+use crate::scalar::{Real, Scalar};
+use crate::spatial::{Motion, RigidInertia, Transform};
+use std::ops::Range;
+
+/// What a sweep asks of a body.
+pub(crate) trait TreeBody<T> {
+    /// The body before it, of smaller index.
+    fn parent(&self) -> Option<usize>;
+    /// Its degrees of freedom.
+    fn dofs(&self) -> Range<usize>;
+    /// Its inertia in its own frame.
+    fn inertia(&self) -> RigidInertia<T>;
+}
+
+impl<T: Scalar> TreeBody<T> for crate::model::Body<T> {
+    #[inline(always)]
+    fn parent(&self) -> Option<usize> {
+        self.parent()
+    }
+    #[inline(always)]
+    fn dofs(&self) -> Range<usize> {
+        self.dofs()
+    }
+    #[inline(always)]
+    fn inertia(&self) -> RigidInertia<T> {
+        self.I
+    }
+}
+
+/// A body of a re-rooted tree.
+#[derive(Debug, Clone)]
+pub(crate) struct Rebody<T> {
+    parent: Option<usize>,
+    dofs: Range<usize>,
+    I: RigidInertia<T>,
+}
+
+impl<T: Scalar> TreeBody<T> for Rebody<T> {
+    fn parent(&self) -> Option<usize> {
+        self.parent
+    }
+    fn dofs(&self) -> Range<usize> {
+        self.dofs.clone()
+    }
+    fn inertia(&self) -> RigidInertia<T> {
+        self.I
+    }
+}
+
+/// A floating tree on another base; the path from the new root first, then all others in their old order.
+#[derive(Debug, Clone)]
+pub(crate) struct Rerooted<T> {
+    /// N: written by [`update`](Self::update).
+    pub bodies: Vec<Rebody<T>>,
+    /// N and nv: as in [`Kinematics`], for the new tree.
+    pub kinematics: Kinematics<T>,
+    /// N: old body at each new place, and new place of each old body; fixed with the root.
+    old: Vec<usize>,
+    new: Vec<usize>,
+    /// Length of the path.
+    path: usize,
+}
+
+impl<T: Real> Rerooted<T> {
+    /// Room for a model with a floating base, seen from its heaviest body.
+    pub fn new(model: &Model<T>) -> Self {
+        let masses = model.bodies.iter().map(|body| body.I.m.to_f64());
+        let heaviest =
+            masses.enumerate().fold((0, 0.0), |best, (i, m)| if m > best.1 { (i, m) } else { best });
+        let mut old: Vec<usize> =
+            std::iter::successors(Some(heaviest.0), |&i| model.bodies[i].parent()).collect();
+        let path = old.len();
+        let mut on_path = vec![false; model.bodies.len()];
+        old.iter().for_each(|&i| on_path[i] = true);
+        old.extend((0..model.bodies.len()).filter(|&i| !on_path[i]));
+        let mut new = vec![0; old.len()];
+        old.iter().enumerate().for_each(|(place, &i)| new[i] = place);
+        let empty = Rebody { parent: None, dofs: 0..0, I: RigidInertia::ZERO };
+        Self { bodies: vec![empty; old.len()], kinematics: Kinematics::new(model), old, new, path }
+    }
+
+    /// The new tree at the configuration of `from`. The base's six columns are unit vectors at the new root.
+    pub fn update(&mut self, model: &Model<T>, from: &Kinematics<T>) {
+        let Self { bodies, kinematics: Kinematics { X_up, S }, old, new, path } = self;
+        S.copy_from_slice(&from.S);
+        for (place, &i) in old.iter().enumerate() {
+            let body = &model.bodies[i];
+            let (parent, dofs, X) = if place == 0 {
+                (None, model.bodies[0].dofs(), Transform::IDENTITY)
+            } else if place < *path {
+                let reversed = &model.bodies[old[place - 1]];
+                let X = from.X_up[old[place - 1]].inverse();
+                for d in reversed.dofs() {
+                    S[d] = -X.motion(from.S[d]);
+                }
+                (Some(place - 1), reversed.dofs(), X)
+            } else {
+                (body.parent().map(|p| new[p]), body.dofs(), from.X_up[i])
+            };
+            X_up[place] = X;
+            bodies[place] = Rebody { parent, dofs, I: body.I };
+        }
+        for (column, d) in unit_columns().into_iter().zip(model.bodies[0].dofs()) {
+            S[d] = column;
+        }
+    }
+}
+
+fn unit_columns<T: Scalar>() -> [Motion<T>; 6] {
+    use crate::spatial::Vec3;
+    [
+        Motion::new(Vec3::X, Vec3::ZERO),
+        Motion::new(Vec3::Y, Vec3::ZERO),
+        Motion::new(Vec3::Z, Vec3::ZERO),
+        Motion::new(Vec3::ZERO, Vec3::X),
+        Motion::new(Vec3::ZERO, Vec3::Y),
+        Motion::new(Vec3::ZERO, Vec3::Z),
+    ]
+}

@@ -1,0 +1,86 @@
+//! What is suspicious is recorded and left as it is.
+
+use eigenbody::model::{Finding, JointSpec, MimicSpec, Place};
+use eigenbody::spatial::{RigidInertia, Sym3, Vec3};
+use eigenbody::{Base, Joint, Model, ModelBuilder};
+
+fn with_inertia(inertia: RigidInertia<f64>) -> Model<f64> {
+    let mut robot = ModelBuilder::new("test");
+    let base = robot.link("base", RigidInertia::ZERO);
+    let tip = robot.link("tip", inertia);
+    robot.joint(JointSpec::new("hinge", Joint::Revolute, base, tip));
+    robot.build(Base::Fixed).unwrap()
+}
+
+fn box_of(m: f64, xx: f64, yy: f64, zz: f64) -> RigidInertia<f64> {
+    RigidInertia::from_com(m, Vec3::new(0.3, -0.4, 0.2), Sym3::diagonal(xx, yy, zz))
+}
+
+fn messages(model: &Model<f64>) -> Vec<String> {
+    model.findings().iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn physical_links_have_none() {
+    assert_eq!(messages(&with_inertia(box_of(2.0, 0.1, 0.2, 0.25))), Vec::<String>::new());
+    // A flat plate: the largest moment is the sum of the other two, to rounding.
+    assert_eq!(messages(&with_inertia(box_of(2.0, 0.1, 0.2, 0.3))), Vec::<String>::new());
+}
+
+#[test]
+fn indefinite_inertia() {
+    let model = with_inertia(box_of(2.0, 0.1, -0.2, 0.25));
+    let [Finding::InertiaNotPositive { link, principal, .. }] = model.findings() else { panic!("{model:?}") };
+    assert_eq!((link.index(), model.findings()[0].place()), (1, Place::Link(*link)));
+    // 16 ε of m c², which was added and taken away
+    for (found, expected) in principal.iter().zip([-0.2, 0.1, 0.25]) {
+        assert!((found - expected).abs() <= 16.0 * f64::EPSILON * 2.0, "{principal:?}");
+    }
+    let message = "inertia of link 'tip' is not positive definite: principal moments -2.000e-1, 1.000e-1, 2.500e-1 kg m²";
+    assert_eq!(messages(&model), [message]);
+}
+
+#[test]
+fn triangle_inequality() {
+    let message =
+        "inertia of link 'tip' is not physical: principal moments 1.000e-1 + 2.000e-1 < 4.000e-1 kg m²";
+    assert_eq!(messages(&with_inertia(box_of(2.0, 0.1, 0.4, 0.2))), [message]);
+}
+
+/// A thin rod has no moment about its axis.
+#[test]
+fn rod_without_thickness_is_found() {
+    let model = with_inertia(box_of(1.0, 0.0, 0.1, 0.1));
+    assert!(
+        matches!(model.findings(), [Finding::InertiaNotPositive { principal: [0.0, ..], .. }]),
+        "{model:?}"
+    );
+}
+
+/// A frame without any inertia is no fault of the link, but a moving body that weighs nothing is.
+#[test]
+fn massless_bodies() {
+    assert_eq!(messages(&with_inertia(RigidInertia::ZERO)), ["moving link 'tip' has no mass"]);
+
+    let mut robot = ModelBuilder::new("frames");
+    let base = robot.link("base", RigidInertia::ZERO);
+    let arm = robot.link("arm", box_of(1.0, 0.1, 0.1, 0.1));
+    let frame = robot.link("tool", RigidInertia::ZERO);
+    robot.joint(JointSpec::new("hinge", Joint::Revolute, base, arm));
+    robot.joint(JointSpec::new("flange", Joint::Fixed, arm, frame));
+    assert_eq!(messages(&robot.build(Base::Fixed).unwrap()), Vec::<String>::new());
+}
+
+#[test]
+fn mimic_of_nothing() {
+    let mut robot = ModelBuilder::<f64>::new("test");
+    let base = robot.link("base", RigidInertia::ZERO);
+    let tip = robot.link("tip", box_of(1.0, 0.1, 0.1, 0.1));
+    let mimic = Some(MimicSpec { joint: "thumb".into(), multiplier: 1.0, offset: 0.0 });
+    let joint = robot.joint(JointSpec { mimic, ..JointSpec::new("finger", Joint::Revolute, base, tip) });
+    let model = robot.build(Base::Fixed).unwrap();
+    let message = "mimic joint 'finger' follows 'thumb', which is no moving joint; it is left free";
+    assert_eq!(messages(&model), [message]);
+    assert_eq!(model.findings()[0].place(), Place::Joint(joint));
+    assert!(model.coupling().is_none());
+}

@@ -1,0 +1,5 @@
+mod build;
+mod configuration;
+mod coupling;
+mod description;
+mod finding;

@@ -1,0 +1,2 @@
+mod dd;
+mod values;
