@@ -139,8 +139,12 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
             return Err(BuildError::CrossedLimits { joint, name, lower, upper });
         }
     }
-    let unit = |a: Vec3<T>| match a.norm() {
-        norm if norm > T::ZERO => Ok(a * (T::ONE / norm)),
+    let unit = |a: Vec3<T>| match a.x.abs().max(a.y.abs()).max(a.z.abs()) {
+        largest if largest > T::ZERO => {
+            // Scaled first: the squares of an axis of any length neither overflow nor vanish.
+            let a = a.map(|x| x / largest);
+            Ok(a * (T::ONE / a.norm()))
+        }
         _ => Err(BuildError::ZeroAxis { joint, name: name.clone() }),
     };
     if !matches!(spec.kind, Joint::Fixed | Joint::Spherical | Joint::Floating) {

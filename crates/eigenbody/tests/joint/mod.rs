@@ -1,13 +1,13 @@
 //! Configurations that move: q ⊕ v on every joint's own manifold.
 
 use crate::robots::{configuration, numbers, vector};
-use eigenbody::dynamics::link_pose;
+use eigenbody::dynamics::{energy, link_pose};
 use eigenbody::model::{JointSpec, Random};
 use eigenbody::scalar::{Dd, Real, Scalar};
-use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
+use eigenbody::spatial::{Mat3, Motion, RigidInertia, Sym3, Transform, Vec3};
 use eigenbody::{Base, Joint, Model, ModelBuilder};
 
-pub const KINDS: [fn() -> Joint<Dd>; 9] = [
+const KINDS: [fn() -> Joint<Dd>; 9] = [
     || Joint::Revolute,
     || Joint::Continuous,
     || Joint::Prismatic,
@@ -40,7 +40,6 @@ fn distance(a: &Transform<Dd>, b: &Transform<Dd>) -> f64 {
 fn motion_at_constant_velocity_adds_up() {
     for (k, kind) in KINDS.into_iter().enumerate() {
         let model = one_joint(kind());
-        // Body velocities of a universal joint's two angles add up as numbers do.
         for (round, speed) in [1e-25, 1e-9, 0.03, 0.9, 1.1, 3.0, 12.0].into_iter().enumerate() {
             let q = configuration(&model, (10 * k + round) as u64);
             let v: Vec<Dd> =
@@ -57,7 +56,7 @@ fn motion_at_constant_velocity_adds_up() {
     }
 }
 
-/// q ⊕ v moves the body as S v says: to first order E turns with the body's angular velocity and r with its linear one.
+/// q ⊕ v moves the body as S v says: the velocity of the frame, by differences, has the kinetic energy of v.
 #[test]
 fn motion_starts_along_the_joints_columns() {
     let h = 1e-12;
@@ -68,16 +67,15 @@ fn motion_starts_along_the_joints_columns() {
         let step: Vec<Dd> = v.iter().map(|&v| v * Dd::from_f64(h)).collect();
         let before = link_pose(&model, &q, 1).unwrap();
         let after = link_pose(&model, &model.integrate(&q, &step).unwrap(), 1).unwrap();
-        // Momentum of a unit point mass at the origin would need the same S: take the columns from energy instead.
         let displacement = (after.r - before.r) * Dd::from_f64(1.0 / h);
         let turn = after.E * before.E.transpose();
         let half = Dd::from_f64(0.5 / h);
         let ang = Vec3::new(turn.y.z - turn.z.y, turn.z.x - turn.x.z, turn.x.y - turn.y.x) * half;
         let lin = before.E * displacement;
         let inertia = RigidInertia::from_com(Dd::ONE, Vec3::X, Sym3::diagonal(Dd::ONE, Dd::ONE, Dd::ONE));
-        let velocity = eigenbody::spatial::Motion::new(ang, lin);
+        let velocity = Motion::new(ang, lin);
         let expected = (velocity.dot(inertia.times(velocity)) * Dd::from_f64(0.5)).to_f64();
-        let found = eigenbody::dynamics::energy(&model, &q, &v).unwrap().kinetic.to_f64();
+        let found = energy(&model, &q, &v).unwrap().kinetic.to_f64();
         // First differences: h times the second derivative, 16 for speeds up to 2
         assert!(
             (found - expected).abs() <= 16.0 * h * expected.max(1.0),
@@ -119,7 +117,7 @@ fn spherical_steps_are_rotations_about_their_axis() {
     for _ in 0..20 {
         let w: Vec3<Dd> = vector(&mut random) * Dd::from_f64(4.0);
         let angle = w.norm();
-        let expected = eigenbody::spatial::Mat3::rotation_about(w * (Dd::ONE / angle), angle.sin_cos());
+        let expected = Mat3::rotation_about(w * (Dd::ONE / angle), angle.sin_cos());
         let q = model.integrate(&neutral, &w.to_array()).unwrap();
         let found = link_pose(&model, &q, 1).unwrap();
         let error = distance(&found, &Transform::new(expected, found.r));

@@ -178,18 +178,23 @@ fn what_is_no_error() {
     }
 }
 
-/// Axes of any length, on any side, also those that come out exactly against z.
+/// Axes of any length, on any side. An axis of 10²⁰⁰ once became the zero vector, one of 10⁻²⁰⁰ was taken for zero: their
+/// squares overflow and vanish.
 #[test]
 fn axes_are_made_unit() {
     let H = |axis: Vec3<f64>| {
         let model = with(|j| (j.axis, j.placement) = (axis, Transform::translation(Vec3::X))).unwrap();
-        eigenbody::mass_matrix(&model, &[0.3, 0.4]).unwrap()[(1, 1)]
+        eigenbody::mass_matrix(&model, &[0.3, 0.4]).unwrap()
     };
-    for axis in
-        [Vec3::Z, -Vec3::Z, Vec3::X, -Vec3::Y, Vec3::new(3.0, -4.0, 1e-9), Vec3::new(1e-200, 0.0, 1e-200)]
-    {
-        // A ball about its centre: 0.1 about every axis
-        assert!((H(axis) - 0.1).abs() <= 8.0 * f64::EPSILON * 0.1, "{axis:?}: {}", H(axis));
+    let [a, b, c] = [0.6, -0.64, 0.48];
+    for (axis, along) in [(Vec3::Z, 1.0), (-Vec3::Z, -1.0), (Vec3::X, 0.0), (-Vec3::Y, 0.0)] {
+        assert_eq!(H(axis)[(0, 1)], 0.1 * along, "{axis:?}");
+    }
+    for length in [1e-308, 1e-200, 1e-3, 1.0, 7.0, 1e200, 1e308] {
+        let H = H(Vec3::new(a, b, c) * length);
+        // 8 ε: a ball about its centre, 0.1 about every axis; 0.48 of it about z
+        assert!((H[(1, 1)] - 0.1).abs() <= 8.0 * f64::EPSILON * 0.1, "length {length}: {}", H[(1, 1)]);
+        assert!((H[(0, 1)] - 0.048).abs() <= 8.0 * f64::EPSILON * 0.1, "length {length}: {}", H[(0, 1)]);
     }
 }
 

@@ -3,14 +3,14 @@
 use crate::robots::numbers;
 use eigenbody::dynamics::energy;
 use eigenbody::model::{JointSpec, MimicSpec};
-use eigenbody::scalar::{Dd, Real};
+use eigenbody::scalar::{Dd, Real, Scalar};
 use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
 use eigenbody::{Base, BuildError, Joint, Matrix, Model, ModelBuilder, mass_matrix};
 
 /// A chain of joints j0, j1, .., some of which follow another: (name, multiplier, offset).
 type Follows = Option<(&'static str, f64, f64)>;
 
-pub fn chain<T: Real>(joints: &[(Joint<T>, Follows)]) -> Result<Model<T>, BuildError> {
+fn chain<T: Real>(joints: &[(Joint<T>, Follows)]) -> Result<Model<T>, BuildError> {
     let number = T::from_f64;
     let mut robot = ModelBuilder::new("chain");
     let mut parent = robot.link("base", RigidInertia::ZERO);
@@ -122,7 +122,6 @@ fn map_survives_a_cast() {
     for (a, b) in here.iter().zip(&there) {
         assert!((a - b).abs() <= 4.0 * f64::EPSILON, "{a} {b}");
     }
-    use eigenbody::scalar::Scalar;
 }
 
 #[test]

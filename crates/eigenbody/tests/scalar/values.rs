@@ -1,4 +1,7 @@
-//! Double-double values to the last bit of the sum: each (hi, lo), rounded from 80 decimal digits.
+//! Double-double values, each (hi, lo), rounded from 80 decimal digits.
+
+// sin π/4 and its like, as the tables want them.
+#![allow(clippy::approx_constant)]
 
 /// x, y, x + y, x · y, x / y, √|x|.
 #[rustfmt::skip]
@@ -51,8 +54,10 @@ pub const SINE_COSINE: [[(f64, f64); 3]; 19] = [
     [(1000000000000000.0, 0.05), (0.831551178979181, -8.914123855627125e-18), (-0.5554481404580757, -1.1009141376249085e-17)],
 ];
 
+type Powers<const K: usize> = [((f64, f64), u32, (f64, f64)); K];
+
 /// x, n, the n-th root of x.
-pub const ROOTS: [((f64, f64), u32, (f64, f64)); 6] = [
+pub const ROOTS: Powers<6> = [
     ((2.0, 0.0), 2, (1.4142135623730951, -9.667293313452913e-17)),
     ((2.0, 0.0), 12, (1.0594630943592953, -4.5281280019993405e-17)),
     ((0.1, 0.0), 389, (0.9940982423131977, -3.859612162350153e-17)),
@@ -62,7 +67,7 @@ pub const ROOTS: [((f64, f64), u32, (f64, f64)); 6] = [
 ];
 
 /// x, n, xⁿ.
-pub const POWERS: [((f64, f64), u32, (f64, f64)); 5] = [
+pub const POWERS: Powers<5> = [
     ((1.1, 0.0), 37, (34.00394858615784, 1.6023698735849246e-15)),
     ((-3.0, 1e-17), 5, (-243.0, 4.05e-15)),
     ((0.7, 0.0), 0, (1.0, 0.0)),
