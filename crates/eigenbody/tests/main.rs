@@ -28,10 +28,13 @@ macro_rules! scalars {
 }
 
 mod allocation;
+mod conditioning;
 mod dynamics;
+mod error;
 mod factor;
 mod family;
 mod joint;
 mod model;
 mod robots;
 mod scalar;
+mod spectrum;

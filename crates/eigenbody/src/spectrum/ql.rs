@@ -24,7 +24,7 @@ pub(super) fn ql<T: Real>(t: &mut Tridiagonal<T>, mut V: Option<&mut Matrix<T>>)
     let epsilon = T::from_f64(T::EPSILON);
     for l in 0..n {
         for iterations in 0.. {
-            let negligible = |m: usize| e[m].abs() <= epsilon * (d[m].abs() * d[m + 1].abs()).sqrt();
+            let negligible = |m: usize| e[m].abs() <= epsilon * (d[m].abs().sqrt() * d[m + 1].abs().sqrt());
             let m = (l..n - 1).find(|&m| negligible(m)).unwrap_or(n - 1);
             if m == l {
                 break;

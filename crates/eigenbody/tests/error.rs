@@ -1,0 +1,173 @@
+//! Inputs that do not fit, at every door.
+
+use crate::robots::{Case, cases};
+use eigenbody::dynamics::{
+    AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, energy, forward_dynamics_into,
+    gravity_force_into, inverse_dynamics_into, link_pose, mass_matrix_into, momentum,
+};
+use eigenbody::error::{Error, InputError, NotPositiveDefinite};
+use eigenbody::factor::{Ltdl, Ltl};
+use eigenbody::model::{DENSE_LIMIT, JointSpec};
+use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
+use eigenbody::{Base, Family, Joint, Matrix, Model, ModelBuilder};
+use eigenbody::{bias_force, floating_mass_matrix, forward_dynamics, inverse_dynamics, mass_matrix};
+
+fn robot() -> (Model<f64>, Vec<f64>, Vec<f64>) {
+    let model = Family::auto_tree(8, 1.0, 0.2, 0.9).unwrap().floating().model::<f64>().unwrap();
+    let (q, v) = (model.neutral(), vec![0.5; model.nv()]);
+    (model, q, v)
+}
+
+/// Every door that takes q, with that q.
+fn doors(model: &Model<f64>, q: &[f64], v: &[f64]) -> Vec<Result<(), Error>> {
+    vec![
+        mass_matrix(model, q).map(|_| ()).map_err(Error::from),
+        inverse_dynamics(model, q, v, v).map(|_| ()).map_err(Error::from),
+        bias_force(model, q, v).map(|_| ()).map_err(Error::from),
+        forward_dynamics(model, q, v, v).map(|_| ()),
+        floating_mass_matrix(model, q).map(|_| ()),
+        energy(model, q, v).map(|_| ()).map_err(Error::from),
+        momentum(model, q, v).map(|_| ()).map_err(Error::from),
+        link_pose(model, q, 0).map(|_| ()).map_err(Error::from),
+        gravity_force_into(model, q, &mut RneaWorkspace::new(model), &mut v.to_vec()).map_err(Error::from),
+    ]
+}
+
+#[test]
+fn configurations_are_checked_everywhere() {
+    let (model, q, v) = robot();
+    assert!(doors(&model, &q, &v).into_iter().all(|result| result == Ok(())));
+    let nq = model.nq();
+    let mut not_finite = q.clone();
+    not_finite[8] = f64::INFINITY;
+    let mut not_unit = q.clone();
+    not_unit[3] = 0.9;
+    let joint = "floating_base".to_string();
+    for (bad, refused) in [
+        (&q[1..], InputError::Length { what: "q", expected: nq, found: nq - 1 }),
+        (&not_finite, InputError::NotFinite { what: "q", index: 8 }),
+        (&not_unit, InputError::NotUnitQuaternion { joint, index: 3, norm: 0.9 }),
+    ] {
+        for (door, result) in doors(&model, bad, &v).into_iter().enumerate() {
+            assert_eq!(result, Err(Error::Input(refused.clone())), "door {door}");
+        }
+    }
+}
+
+#[test]
+fn velocities_and_forces_are_checked() {
+    let (model, q, v) = robot();
+    let nv = model.nv();
+    let mut nan = v.clone();
+    nan[2] = f64::NAN;
+    let short = |what| InputError::Length { what, expected: nv, found: nv - 1 };
+    let spoilt = |what| InputError::NotFinite { what, index: 2 };
+    assert_eq!(inverse_dynamics(&model, &q, &v[1..], &v), Err(short("v")));
+    assert_eq!(inverse_dynamics(&model, &q, &v, &v[1..]), Err(short("vdot")));
+    assert_eq!(inverse_dynamics(&model, &q, &nan, &v), Err(spoilt("v")));
+    assert_eq!(inverse_dynamics(&model, &q, &v, &nan), Err(spoilt("vdot")));
+    assert_eq!(bias_force(&model, &q, &nan), Err(spoilt("v")));
+    assert_eq!(forward_dynamics(&model, &q, &v[1..], &v), Err(short("v").into()));
+    assert_eq!(forward_dynamics(&model, &q, &v, &v[1..]), Err(short("tau").into()));
+    assert_eq!(forward_dynamics(&model, &q, &v, &nan), Err(spoilt("tau").into()));
+    assert_eq!(energy(&model, &q, &nan), Err(spoilt("v")));
+    assert_eq!(momentum(&model, &q, &v[1..]), Err(short("v")));
+    assert_eq!(model.integrate(&q, &v[1..]), Err(short("v")));
+    assert_eq!(model.integrate(&q, &nan), Err(spoilt("v")));
+}
+
+#[test]
+fn outputs_of_the_wrong_size() {
+    let (model, q, v) = robot();
+    let nv = model.nv();
+    let mut out = vec![0.0; nv + 1];
+    let long = |what| InputError::Length { what, expected: nv, found: nv + 1 };
+    let mut rnea = RneaWorkspace::new(&model);
+    assert_eq!(inverse_dynamics_into(&model, &q, &v, &v, &mut rnea, &mut out), Err(long("tau")));
+    assert_eq!(bias_force_into(&model, &q, &v, &mut rnea, &mut out), Err(long("C")));
+    let mut aba = AbaWorkspace::new(&model);
+    assert_eq!(forward_dynamics_into(&model, &q, &v, &v, &mut aba, &mut out), Err(long("vdot").into()));
+    let mut crba = CrbaWorkspace::new(&model);
+    let mut into = |rows, cols| mass_matrix_into(&model, &q, &mut crba, &mut Matrix::zeros(rows, cols));
+    assert_eq!(into(nv + 1, nv), Err(long("rows of H")));
+    assert_eq!(into(nv, nv + 1), Err(long("columns of H")));
+    assert_eq!(into(nv, nv), Ok(()));
+}
+
+/// Outputs are written whole: what stood there before does not show.
+#[test]
+fn outputs_are_written_whole() {
+    for Case { model, q, v, vdot, name } in cases::<f64>(14) {
+        let n = model.nv();
+        let (mut tau, mut H) = (vec![f64::NAN; n], Matrix::from_fn(n, n, |_, _| f64::NAN));
+        let mut crba = CrbaWorkspace::new(&model);
+        mass_matrix_into(&model, &q, &mut crba, &mut H).unwrap();
+        mass_matrix_into(&model, &q, &mut crba, &mut H).unwrap();
+        assert_eq!(H, mass_matrix(&model, &q).unwrap(), "{name}");
+        let mut rnea = RneaWorkspace::new(&model);
+        for _ in 0..2 {
+            inverse_dynamics_into(&model, &q, &v, &vdot, &mut rnea, &mut tau).unwrap();
+            assert_eq!(tau, inverse_dynamics(&model, &q, &v, &vdot).unwrap(), "{name}");
+        }
+        let mut aba = AbaWorkspace::new(&model);
+        for _ in 0..2 {
+            forward_dynamics_into(&model, &q, &v, &vdot, &mut aba, &mut tau).unwrap();
+            assert_eq!(tau, forward_dynamics(&model, &q, &v, &vdot).unwrap(), "{name}");
+        }
+    }
+}
+
+/// Three hinges; the last carries nothing. Armature on it is all it needs.
+fn massless_tip(armature: f64) -> Model<f64> {
+    let mut robot = ModelBuilder::new("massless tip");
+    let mut parent = robot.link("base", RigidInertia::ZERO);
+    for j in 0..3 {
+        let rod = RigidInertia::from_com(1.0, Vec3::new(0.5, 0.0, 0.0), Sym3::diagonal(0.1, 0.1, 0.1));
+        let link = robot.link(format!("link_{j}"), if j < 2 { rod } else { RigidInertia::ZERO });
+        let spec = JointSpec::new(format!("joint_{j}"), Joint::Revolute, parent, link);
+        let armature = if j < 2 { 0.0 } else { armature };
+        robot.joint(spec.at(Transform::translation(Vec3::X)).with_armature([armature]));
+        parent = link;
+    }
+    robot.build(Base::Fixed).unwrap()
+}
+
+#[test]
+fn massless_tip_is_located() {
+    let model = massless_tip(0.0);
+    let (q, v) = ([0.1, 0.2, 0.3], [0.0; 3]);
+    let refused = Error::NotPositiveDefinite(NotPositiveDefinite { dof: 2, pivot: 0.0 });
+    let H = mass_matrix(&model, &q).unwrap();
+    assert_eq!(forward_dynamics(&model, &q, &v, &v), Err(refused.clone()));
+    assert_eq!(Ltl::new(model.dofs()).factor(&H).map(|_| ()), Err(refused.clone()));
+    assert_eq!(Ltdl::new(model.dofs()).factor(&H).map(|_| ()), Err(refused.clone()));
+    assert_eq!(
+        refused.to_string(),
+        "the mass matrix is not positive definite: pivot 0e0 at degree of freedom 2"
+    );
+    assert!(forward_dynamics(&massless_tip(0.01), &q, &v, &v).is_ok());
+}
+
+/// A base without inertia in some direction cannot be removed: a rod does not resist a turn about itself.
+#[test]
+fn base_that_does_not_resist_is_located() {
+    let rod = Family::slender_chain(2, 1.0, 1.0).unwrap().floating().model::<f64>().unwrap();
+    let refused = floating_mass_matrix(&rod, &rod.neutral());
+    assert!(
+        matches!(refused, Err(Error::NotPositiveDefinite(NotPositiveDefinite { dof: 0..6, .. }))),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn dense_matrices_have_a_limit() {
+    let nv = DENSE_LIMIT + 1;
+    let refused = InputError::TooLargeForDense { nv, limit: DENSE_LIMIT };
+    let fixed = Family::hydra(nv, 2.0, 0.0, 1.0).unwrap().model::<f64>().unwrap();
+    assert_eq!(mass_matrix(&fixed, &fixed.neutral()), Err(refused.clone()));
+    assert_eq!(fixed.check_dense(), Err(refused.clone()));
+    let floating = Family::hydra(nv - 5, 2.0, 0.0, 1.0).unwrap().floating().model::<f64>().unwrap();
+    assert_eq!(floating_mass_matrix(&floating, &floating.neutral()), Err(Error::Input(refused)));
+    let least = Family::hydra(nv - 1, 2.0, 0.0, 1.0).unwrap().model::<f64>().unwrap();
+    assert_eq!(least.check_dense(), Ok(()));
+}
