@@ -35,11 +35,21 @@ fn fmt() -> Outcome {
 }
 
 fn clippy() -> Outcome {
-    run(&mut cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "-D", "warnings"]))
+    run(&mut cargo(&[
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--all-features",
+        "--keep-going",
+        "--",
+        "-D",
+        "warnings",
+    ]))
 }
 
 fn doc() -> Outcome {
-    run(cargo(&["doc", "--workspace", "--all-features", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))
+    run(cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--keep-going"])
+        .env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 fn cargo_test() -> Outcome {
