@@ -99,6 +99,19 @@ fn singular_matrices_have_no_kappa() {
     );
 }
 
+/// The line is drawn at n ε λmax.
+#[test]
+fn small_eigenvalues_are_resolved_or_not() {
+    let report = |least: f64| {
+        let H = Matrix::from_fn(2, 2, |i, j| if i != j { 0.0 } else { [1.0, least][i] });
+        conditioning(&H, &[1.0; 2]).unwrap()
+    };
+    assert_eq!((report(1e-15).kappa, report(1e-15).notes.len()), (Some(1.0 / 1e-15), 0));
+    assert_eq!((report(1e-16).kappa, report(1e-16).notes.len()), (None, 1));
+    // κ′ looks at the matrix with its units taken out: the identity.
+    assert!((report(1e-16).kappa_weighted.unwrap() - 1.0).abs() <= 4.0 * f64::EPSILON);
+}
+
 /// A DoF without inertia has no κ′ and no diagonal ratio; it is named.
 #[test]
 fn dofs_without_inertia_are_named() {

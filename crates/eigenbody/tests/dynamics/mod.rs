@@ -7,6 +7,7 @@ mod energy;
 mod floating;
 mod kinematics;
 mod momentum;
+mod reduction;
 mod rounding;
 
 use eigenbody::Model;
