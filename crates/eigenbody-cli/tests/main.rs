@@ -1,5 +1,8 @@
 //! The command as a user meets it: what it prints, and how it fails.
 
+// Helpers stop a test as its own lines would.
+#![allow(clippy::unwrap_used)]
+
 mod bad_input;
 mod matrix;
 mod run;

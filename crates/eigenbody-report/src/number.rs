@@ -6,7 +6,7 @@
 /// use eigenbody_report::significant;
 /// assert_eq!(significant(42907.97274937, 6), "42908.0");
 /// assert_eq!(significant(0.021146, 3), "0.0211");
-/// assert_eq!(significant(8.105e10, 3), "8.11e10");
+/// assert_eq!(significant(8.1053e10, 3), "8.11e10");
 /// ```
 pub fn significant(x: f64, digits: usize) -> String {
     let magnitude = x.abs();

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output::deliver;
-use eigenbody::{Conditioning, Error, Matrix, Metric, Model, conditioning, family, mass_matrix};
+use eigenbody::{Conditioning, Error, Metric, Model, conditioning, family, mass_matrix};
 use eigenbody_report::{SpectrumReport, Subject, significant};
 
 /// The arm stretched out and lifted a little, elbow and wrist bent: an everyday configuration.
@@ -16,7 +16,7 @@ pub fn run() -> Result<(), Failure> {
 }
 
 fn page(arm: &Model<f64>) -> Result<String, Error> {
-    let (H, weights, result) = judge(arm)?;
+    let (weights, result) = judge(arm)?;
     let subject = Subject {
         model: "puma560".into(),
         bodies: arm.bodies().len(),
@@ -24,11 +24,11 @@ fn page(arm: &Model<f64>) -> Result<String, Error> {
         configuration: format!("q = {Q:?}"),
         q: Q.to_vec(),
     };
-    let names: Vec<String> = (0..H.rows()).map(|d| arm.dof_name(d)).collect();
+    let names: Vec<String> = (0..arm.nv()).map(|d| arm.dof_name(d)).collect();
     let report = SpectrumReport::new(subject, &Metric::Euclidean, "kg m²", &result, &weights, &names);
 
     let bare = arm.clone().with_armature(vec![0.0; arm.nv()])?;
-    let (.., without) = judge(&bare)?;
+    let (_, without) = judge(&bare)?;
     let kappa =
         |c: &Conditioning<f64>| c.kappa.map_or_else(|| "unresolved".into(), |kappa| significant(kappa, 4));
     Ok(format!(
@@ -40,11 +40,11 @@ fn page(arm: &Model<f64>) -> Result<String, Error> {
     ))
 }
 
-fn judge(arm: &Model<f64>) -> Result<(Matrix<f64>, Vec<f64>, Conditioning<f64>), Error> {
+fn judge(arm: &Model<f64>) -> Result<(Vec<f64>, Conditioning<f64>), Error> {
     let H = mass_matrix(arm, &Q)?;
     let weights = Metric::Euclidean.weights(arm, &H)?;
     let result = conditioning(&H, &weights)?;
-    Ok((H, weights, result))
+    Ok((weights, result))
 }
 
 const NEXT: &str = "\

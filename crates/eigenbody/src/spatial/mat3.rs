@@ -27,7 +27,7 @@ impl<T: Scalar> Mat3<T> {
         Self { x, y, z }
     }
 
-    /// [a]×: the matrix of b ↦ a × b.
+    /// The matrix of b ↦ a × b.
     #[inline(always)]
     pub fn cross(a: Vec3<T>) -> Self {
         Self {
