@@ -27,36 +27,40 @@ fn exact(model: &Model<f64>, q: &[f64]) -> Matrix<Dd> {
     mass_matrix(&model.cast::<Dd>(), &q).unwrap()
 }
 
-/// |δH*_de| ≤ 16 n ε √(H*_dd H*_ee), by the model's own base in double-double.
-#[track_caller]
-fn assert_good(name: &str, model: &Model<f64>, q: &[f64]) {
-    let (found, exact) = (floating_mass_matrix(model, q).unwrap(), schur(&exact(model, q)));
+/// Largest c of |δH*_de| = c n ε √(B_dd B_ee), against the model's own base in double-double.
+fn constant(model: &Model<f64>, q: &[f64], B: impl Fn(&Matrix<Dd>, &Matrix<Dd>, usize) -> Dd) -> f64 {
+    let (found, H) = (floating_mass_matrix(model, q).unwrap(), exact(model, q));
+    let exact = schur(&H);
+    let size = |d| B(&H, &exact, d).to_f64().sqrt();
+    let mut c = 0.0f64;
     for d in 0..found.rows() {
         for e in 0..found.rows() {
             let error = (Dd::from_f64(found[(d, e)]) - exact[(d, e)]).abs().to_f64();
-            let size = (exact[(d, d)] * exact[(e, e)]).sqrt().to_f64();
-            let tolerance = 16.0 * model.nv() as f64 * f64::EPSILON * size;
-            assert!(error <= tolerance, "{name}: H*[{d}, {e}] off by {error:e}, {tolerance:e}");
+            c = c.max(error / (model.nv() as f64 * f64::EPSILON * size(d) * size(e)));
         }
     }
+    c
 }
 
+/// On bases as heavy as other links: good to the largest of H, the inertia of the whole among it, as large as that on any base.
 #[test]
-fn entries_are_good_to_the_geometric_mean_of_their_diagonal() {
+fn entries_are_good_to_the_largest_of_H() {
     for Case { name, model, q, .. } in cases::<f64>(60) {
         if model.has_floating_base() {
-            assert_good(&name, &model, &q);
+            let c = constant(&model, &q, |H, _, _| Dd::from_f64(H.max_abs()));
+            assert!(c <= 2.0, "{name}: c = {c}");
         }
     }
 }
 
-/// Seen from a base a millionth of the mass it carries the same difference lost seven digits.
+/// On a base a millionth of the mass it carries: good to the diagonal of H* itself. Seen from there, seven digits were lost.
 #[test]
 fn light_base_costs_nothing() {
     for (n, taper) in [(2, 10.0), (3, 10.0), (5, 2.0), (5, 0.1), (20, 1.3), (20, 0.7)] {
         let model = Family::hydra(n, 1.0, 0.0, taper).unwrap().floating().model::<f64>().unwrap();
         let q = Posture::Zag(1.5).configuration(&model);
-        assert_good(model.name(), &model, &q);
+        let c = constant(&model, &q, |_, reduced, d| reduced[(d, d)]);
+        assert!(c <= 2.0, "{}: c = {c}", model.name());
     }
 }
 

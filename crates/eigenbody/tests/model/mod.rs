@@ -3,3 +3,4 @@ mod configuration;
 mod coupling;
 mod description;
 mod finding;
+mod topology;
