@@ -47,6 +47,18 @@ pub enum Joint<T> {
     Floating,
 }
 
+/// A column of S: one of the six unit vectors, or any.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Column {
+    AngX,
+    AngY,
+    AngZ,
+    LinX,
+    LinY,
+    LinZ,
+    General,
+}
+
 impl<T: Scalar> Joint<T> {
     /// Number of coordinates.
     pub fn nq(&self) -> usize {
@@ -129,6 +141,23 @@ impl<T: Scalar> Joint<T> {
             Self::Planar => &["/vx", "/vy", "/wz"],
             Self::Spherical => &["/wx", "/wy", "/wz"],
             Self::Floating => &["/wx", "/wy", "/wz", "/vx", "/vy", "/vz"],
+        }
+    }
+
+    /// What is known of each column of S without looking at q.
+    #[inline(always)]
+    pub(crate) fn columns(&self) -> &'static [Column] {
+        use Column::{AngX, AngY, AngZ, General, LinX, LinY, LinZ};
+        match self {
+            Self::Fixed => &[],
+            Self::Revolute | Self::Continuous => &[AngZ],
+            Self::Prismatic => &[LinZ],
+            Self::Helical { .. } => &[General],
+            Self::Cylindrical => &[AngZ, LinZ],
+            Self::Universal { .. } => &[General, AngZ],
+            Self::Planar => &[LinX, LinY, AngZ],
+            Self::Spherical => &[AngX, AngY, AngZ],
+            Self::Floating => &[AngX, AngY, AngZ, LinX, LinY, LinZ],
         }
     }
 

@@ -201,6 +201,11 @@ impl PartialOrd for Dd {
 }
 
 impl Scalar for Dd {
+    type Constant = Self;
+    #[inline(always)]
+    fn constant(c: Self) -> Self {
+        c
+    }
     const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     #[inline(always)]

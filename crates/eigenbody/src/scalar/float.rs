@@ -5,6 +5,11 @@ use super::{Dd, Real, Scalar};
 macro_rules! float {
     ($T:ident) => {
         impl Scalar for $T {
+            type Constant = Self;
+            #[inline(always)]
+            fn constant(c: Self) -> Self {
+                c
+            }
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             #[inline(always)]

@@ -7,8 +7,13 @@
 mod dd;
 mod dd_trig;
 mod float;
+mod lanes;
+#[allow(unsafe_code)] // audited: see the module's two promises
+mod simd;
 
 pub use dd::Dd;
+pub use lanes::{Array8, LANES, Lane};
+pub use simd::{LaneAlgorithm, dispatch};
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -29,6 +34,10 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
+    /// What a model's numbers are when a kernel runs on this scalar: the scalar itself, or f64 for lanes.
+    type Constant: Real;
+    /// A model's number, in every lane.
+    fn constant(c: Self::Constant) -> Self;
     /// 0.
     const ZERO: Self;
     /// 1.

@@ -1,6 +1,6 @@
 //! The inertia of an articulated body: a symmetric 6 × 6 matrix, 21 numbers.
 
-use super::{Force, Mat3, Motion, RigidInertia, Sym3};
+use super::{Force, Mat3, Motion, RigidInertia, Sym3, Vec3};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign};
 
@@ -32,6 +32,36 @@ impl<T: Scalar> ArticulatedInertia<T> {
         let ns = n * s;
         let nf = Mat3::from_rows(f * ns.x, f * ns.y, f * ns.z);
         Self { I: self.I - Sym3::outer(n) * s, H: self.H - nf, M: self.M - Sym3::outer(f) * s }
+    }
+
+    /// Column K of the 6 × 6 matrix.
+    #[inline(always)]
+    pub(crate) fn column<const K: usize>(&self) -> Force<T> {
+        let Self { I, H, M } = self;
+        match K {
+            0 => Force::new(Vec3::new(I.xx, I.xy, I.xz), H.x),
+            1 => Force::new(Vec3::new(I.xy, I.yy, I.yz), H.y),
+            2 => Force::new(Vec3::new(I.xz, I.yz, I.zz), H.z),
+            3 => Force::new(Vec3::new(H.x.x, H.y.x, H.z.x), Vec3::new(M.xx, M.xy, M.xz)),
+            4 => Force::new(Vec3::new(H.x.y, H.y.y, H.z.y), Vec3::new(M.xy, M.yy, M.yz)),
+            _ => Force::new(Vec3::new(H.x.z, H.y.z, H.z.z), Vec3::new(M.xz, M.yz, M.zz)),
+        }
+    }
+
+    /// Row and column K replaced.
+    #[inline(always)]
+    pub(crate) fn with_column<const K: usize>(mut self, U: Force<T>) -> Self {
+        let Self { I, H, M } = &mut self;
+        let (n, f) = (U.ang, U.lin);
+        match K {
+            0 => (I.xx, I.xy, I.xz, H.x) = (n.x, n.y, n.z, f),
+            1 => (I.xy, I.yy, I.yz, H.y) = (n.x, n.y, n.z, f),
+            2 => (I.xz, I.yz, I.zz, H.z) = (n.x, n.y, n.z, f),
+            3 => (H.x.x, H.y.x, H.z.x, M.xx, M.xy, M.xz) = (n.x, n.y, n.z, f.x, f.y, f.z),
+            4 => (H.x.y, H.y.y, H.z.y, M.xy, M.yy, M.yz) = (n.x, n.y, n.z, f.x, f.y, f.z),
+            _ => (H.x.z, H.y.z, H.z.z, M.xz, M.yz, M.zz) = (n.x, n.y, n.z, f.x, f.y, f.z),
+        }
+        self
     }
 }
 

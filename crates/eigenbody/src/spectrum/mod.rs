@@ -3,6 +3,7 @@
 mod eigen;
 mod metric;
 mod ql;
+pub mod sturm;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
