@@ -22,4 +22,5 @@ pub use floating::{FloatingWorkspace, floating_mass_matrix, floating_mass_matrix
 pub use kinematics::{Kinematics, link_pose};
 pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
 pub use reduction::Reduction;
+pub(crate) use reroot::{Rerooted, TreeBody};
 pub use rnea::{RneaWorkspace, inverse_dynamics, inverse_dynamics_into};

@@ -8,6 +8,7 @@
 //! inertia is the same from whichever body it is seen. All other bodies stay as they are. Cost O(N).
 
 use super::kinematics::Kinematics;
+use crate::joint::{Column, Joint};
 use crate::model::Model;
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Motion, RigidInertia, Transform};
@@ -113,6 +114,20 @@ impl<T: Real> Rerooted<T> {
         }
         for (column, d) in unit_columns().into_iter().zip(model.bodies[0].dofs()) {
             S[d] = column;
+        }
+    }
+
+    /// Where the model's own base stands.
+    pub fn place_of_base(&self) -> usize {
+        self.new[0]
+    }
+
+    /// What is known of the columns of the body at a new place. A joint walked the other way has any columns.
+    pub fn columns(&self, model: &Model<T>, place: usize) -> &'static [Column] {
+        match place {
+            0 => Joint::<T>::Floating.columns(),
+            _ if place < self.path => &[Column::General; 6][..self.bodies[place].dofs.len()],
+            _ => model.bodies[self.old[place]].joint.columns(),
         }
     }
 }

@@ -47,6 +47,11 @@ impl<T: Scalar> Body<T> {
         v0..v0 + self.joint.nv()
     }
 
+    /// From the parent's frame to the joint's frame.
+    pub(crate) fn tree_transform(&self) -> &Transform<T> {
+        &self.X_tree
+    }
+
     /// Index of the link that the joint carries, in [`links`](super::Model::links).
     pub fn link(&self) -> usize {
         self.link as usize

@@ -40,31 +40,23 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
     for ((name, _), (body, X_link)) in robot.links.into_iter().zip(placed) {
         links.push(LinkInfo { name, body, X_link });
     }
-    let ids = (0..).map(JointId);
-    let mut moving: Vec<(Slot, JointId, JointSpec<T>)> = slots
-        .into_iter()
-        .zip(ids)
-        .zip(robot.joints)
-        .filter_map(|((slot, id), spec)| Some((slot?, id, spec)))
-        .collect();
-    moving.sort_by_key(|(slot, ..)| slot.v0);
+    // The coordinates of a floating base, the last joint of the description, come first.
+    let mut described: Vec<_> = slots.into_iter().zip((0..).map(JointId)).collect();
+    let first = usize::from(base == Base::Floating);
+    described.rotate_right(first);
+    robot.joints.rotate_right(first);
 
-    let mut joints = Vec::with_capacity(moving.len());
+    let mut joints = Vec::with_capacity(dofs.len());
     let mut mimics: Vec<(JointId, MimicSpec<T>, usize)> = Vec::new();
     let mut dof_joint = Vec::with_capacity(dofs.len());
     let mut armature = Vec::with_capacity(dofs.len());
-    for (slot, id, spec) in moving {
+    for ((slot, id), spec) in described.into_iter().zip(robot.joints) {
+        let Some(Slot { q0, v0 }) = slot else { continue };
         let nv = spec.kind.nv();
         dof_joint.extend(std::iter::repeat_n(joints.len() as u32, nv));
         armature.extend((0..nv).map(|k| spec.armature.get(k).copied().unwrap_or(T::ZERO)));
         mimics.extend(spec.mimic.map(|mimic| (id, mimic, joints.len())));
-        joints.push(JointInfo {
-            name: spec.name.into(),
-            kind: spec.kind,
-            q0: slot.q0,
-            v0: slot.v0,
-            limits: spec.limits,
-        });
+        joints.push(JointInfo { name: spec.name.into(), kind: spec.kind, q0, v0, limits: spec.limits });
     }
     let coupling = coupling::resolve(&joints, mimics, &mut findings)?;
     Ok(Model {

@@ -10,32 +10,59 @@ pub(super) struct Node {
     pub joint: Option<usize>,
 }
 
-/// Every link once, a link before those it carries, subtrees contiguous, siblings in the order of their joints.
+/// Every link once, a link before those it carries, subtrees contiguous, the largest subtree of siblings last.
+///
+/// With the largest last, a sweep from the end keeps at most log₂ N subtrees waiting.
 pub(super) fn pre_order<T>(robot: &ModelBuilder<T>) -> Result<Vec<Node>, BuildError> {
     unique_names(robot)?;
     let inbound = inbound_joints(robot)?;
     let root = single_root(robot, &inbound)?;
-
-    // Children of each link as linked lists, built backwards so that they read forwards.
-    let mut first_child = vec![None; robot.links.len()];
-    let mut next_sibling = vec![None; robot.joints.len()];
-    for (j, joint) in robot.joints.iter().enumerate().rev() {
-        next_sibling[j] = first_child[joint.parent.index()].replace(j);
-    }
-
-    let mut nodes = Vec::with_capacity(robot.links.len());
-    nodes.push(Node { link: root, joint: None });
-    let mut stack: Vec<usize> = first_child[root].into_iter().collect();
-    while let Some(j) = stack.pop() {
-        let link = robot.joints[j].child.index();
-        nodes.push(Node { link, joint: Some(j) });
-        stack.extend(next_sibling[j]);
-        stack.extend(first_child[link]);
-    }
+    let children = Children::new(robot);
+    let nodes = children.descend(robot, root, &vec![0; robot.links.len()]);
     if nodes.len() < robot.links.len() {
         return Err(find_loop(robot, &inbound, &nodes));
     }
-    Ok(nodes)
+    let mut size = vec![1; robot.links.len()];
+    for node in nodes.iter().rev() {
+        if let Some(j) = node.joint {
+            size[robot.joints[j].parent.index()] += size[node.link];
+        }
+    }
+    Ok(children.descend(robot, root, &size))
+}
+
+/// The joints that each link carries, as linked lists in the order of the joints.
+struct Children {
+    first: Vec<Option<usize>>,
+    next: Vec<Option<usize>>,
+}
+
+impl Children {
+    fn new<T>(robot: &ModelBuilder<T>) -> Self {
+        let mut first = vec![None; robot.links.len()];
+        let mut next = vec![None; robot.joints.len()];
+        for (j, joint) in robot.joints.iter().enumerate().rev() {
+            next[j] = first[joint.parent.index()].replace(j);
+        }
+        Self { first, next }
+    }
+
+    /// Pre-order from `root`, siblings by ascending size.
+    fn descend<T>(&self, robot: &ModelBuilder<T>, root: usize, size: &[usize]) -> Vec<Node> {
+        let child = |j: usize| robot.joints[j].child.index();
+        let mut nodes = Vec::with_capacity(robot.links.len());
+        let mut stack = Vec::new();
+        let mut visit = Some(Node { link: root, joint: None });
+        while let Some(node) = visit {
+            let waiting = stack.len();
+            stack.extend(std::iter::successors(self.first[node.link], |&j| self.next[j]));
+            stack[waiting..].reverse();
+            stack[waiting..].sort_by_key(|&j| std::cmp::Reverse(size[child(j)]));
+            nodes.push(node);
+            visit = stack.pop().map(|j| Node { link: child(j), joint: Some(j) });
+        }
+        nodes
+    }
 }
 
 fn unique_names<T>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {

@@ -61,7 +61,7 @@ pub trait Scalar:
 }
 
 /// One real number that can be compared and measured.
-pub trait Real: Scalar + PartialOrd {
+pub trait Real: Scalar<Constant = Self> + PartialOrd {
     /// Unit round-off times two: the distance from 1 to the next number.
     const EPSILON: f64;
     /// The nearest f64.

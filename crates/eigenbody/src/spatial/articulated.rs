@@ -29,9 +29,13 @@ impl<T: Scalar> ArticulatedInertia<T> {
     #[inline(always)]
     pub fn minus_outer(&self, U: Force<T>, s: T) -> Self {
         let (n, f) = (U.ang, U.lin);
-        let ns = n * s;
-        let nf = Mat3::from_rows(f * ns.x, f * ns.y, f * ns.z);
-        Self { I: self.I - Sym3::outer(n) * s, H: self.H - nf, M: self.M - Sym3::outer(f) * s }
+        let (ns, fs) = (n * -s, f * -s);
+        let H = Mat3::from_rows(
+            f.mul_add(ns.x, self.H.x),
+            f.mul_add(ns.y, self.H.y),
+            f.mul_add(ns.z, self.H.z),
+        );
+        Self { I: self.I.plus_outer(ns, n), H, M: self.M.plus_outer(fs, f) }
     }
 
     /// Column K of the 6 × 6 matrix.

@@ -50,7 +50,17 @@ impl<T: Scalar> Mat3<T> {
     /// Aᵀ b.
     #[inline(always)]
     pub fn transpose_times(self, b: Vec3<T>) -> Vec3<T> {
-        self.x * b.x + self.y * b.y + self.z * b.z
+        self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))
+    }
+
+    /// [a]× B: the columns of B crossed with a.
+    #[inline(always)]
+    pub fn cross_times(a: Vec3<T>, B: Self) -> Self {
+        Self {
+            x: B.z.mul_add(a.y, -(B.y * a.z)),
+            y: B.x.mul_add(a.z, -(B.z * a.x)),
+            z: B.y.mul_add(a.x, -(B.x * a.y)),
+        }
     }
 
     /// The symmetric part's entries, where the matrix is known to be symmetric: the mean of both triangles.

@@ -32,10 +32,32 @@ impl<T: Scalar> Sym3<T> {
         Self { xx, yy, zz, ..Self::ZERO }
     }
 
-    /// a aᵀ.
+    /// A + a bᵀ for a parallel to b.
     #[inline(always)]
-    pub fn outer(a: Vec3<T>) -> Self {
-        Self { xx: a.x * a.x, yy: a.y * a.y, zz: a.z * a.z, xy: a.x * a.y, xz: a.x * a.z, yz: a.y * a.z }
+    pub fn plus_outer(self, a: Vec3<T>, b: Vec3<T>) -> Self {
+        Self {
+            xx: a.x.mul_add(b.x, self.xx),
+            yy: a.y.mul_add(b.y, self.yy),
+            zz: a.z.mul_add(b.z, self.zz),
+            xy: a.x.mul_add(b.y, self.xy),
+            xz: a.x.mul_add(b.z, self.xz),
+            yz: a.y.mul_add(b.z, self.yz),
+        }
+    }
+
+    /// A + [r]× Bᵀ + ([r]× Cᵀ)ᵀ, where that is symmetric as a whole.
+    ///
+    /// Entry (i, j) of [r]× Bᵀ is (r × b_j)_i, b_j the rows of B.
+    #[inline(always)]
+    pub fn plus_shift(self, r: Vec3<T>, B: Mat3<T>, C: Mat3<T>) -> Self {
+        Self {
+            xx: cross_x(r, B.x + C.x, self.xx),
+            yy: cross_y(r, B.y + C.y, self.yy),
+            zz: cross_z(r, B.z + C.z, self.zz),
+            xy: cross_x(r, B.y, cross_y(r, C.x, self.xy)),
+            xz: cross_x(r, B.z, cross_z(r, C.x, self.xz)),
+            yz: cross_y(r, B.z, cross_z(r, C.y, self.yz)),
+        }
     }
 
     /// All nine entries.
@@ -77,6 +99,24 @@ impl<T: Scalar> Sym3<T> {
     }
 }
 
+/// (r × b)_x + c.
+#[inline(always)]
+fn cross_x<T: Scalar>(r: Vec3<T>, b: Vec3<T>, c: T) -> T {
+    r.y.mul_add(b.z, (-r.z).mul_add(b.y, c))
+}
+
+/// (r × b)_y + c.
+#[inline(always)]
+fn cross_y<T: Scalar>(r: Vec3<T>, b: Vec3<T>, c: T) -> T {
+    r.z.mul_add(b.x, (-r.x).mul_add(b.z, c))
+}
+
+/// (r × b)_z + c.
+#[inline(always)]
+fn cross_z<T: Scalar>(r: Vec3<T>, b: Vec3<T>, c: T) -> T {
+    r.x.mul_add(b.y, (-r.y).mul_add(b.x, c))
+}
+
 impl<T: Scalar> Mul<Vec3<T>> for Sym3<T> {
     type Output = Vec3<T>;
     #[inline(always)]
@@ -112,7 +152,14 @@ impl<T: Scalar> Sub for Sym3<T> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, B: Self) -> Self {
-        self + B * -T::ONE
+        Self {
+            xx: self.xx - B.xx,
+            yy: self.yy - B.yy,
+            zz: self.zz - B.zz,
+            xy: self.xy - B.xy,
+            xz: self.xz - B.xz,
+            yz: self.yz - B.yz,
+        }
     }
 }
 

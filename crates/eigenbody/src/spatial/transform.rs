@@ -66,8 +66,8 @@ impl<T: Scalar> Transform<T> {
     pub fn transpose_rigid(&self, I: RigidInertia<T>) -> RigidInertia<T> {
         let (r, h0) = (self.r, self.E.transpose_times(I.h));
         let h = h0 + r * I.m;
-        let shift = Mat3::cross(r) * Mat3::cross(h0) + Mat3::cross(h) * Mat3::cross(r);
-        RigidInertia { m: I.m, h, I: I.I.congruence(self.E) - shift.symmetric() }
+        let (h0x, hx) = (Mat3::cross(h0), Mat3::cross(h));
+        RigidInertia { m: I.m, h, I: I.I.congruence(self.E).plus_shift(r, h0x, hx) }
     }
 
     /// Xᵀ IA X: an articulated-body inertia back in old coordinates.
@@ -77,13 +77,10 @@ impl<T: Scalar> Transform<T> {
     /// ```
     #[inline(always)]
     pub fn transpose_articulated(&self, A: ArticulatedInertia<T>) -> ArticulatedInertia<T> {
-        let Et = self.E.transpose();
-        let rx = Mat3::cross(self.r);
         let M = A.M.congruence(self.E);
-        let H0 = Et * A.H * self.E;
-        let H = H0 + rx * M.full();
-        let shift = rx * H0.transpose() - H * rx;
-        ArticulatedInertia { I: A.I.congruence(self.E) + shift.symmetric(), H, M }
+        let H0 = self.E.transpose() * A.H * self.E;
+        let H = H0 + Mat3::cross_times(self.r, M.full());
+        ArticulatedInertia { I: A.I.congruence(self.E).plus_shift(self.r, H0, H), H, M }
     }
 
     /// The inverse transform.

@@ -51,6 +51,12 @@ impl<T: Scalar> Vec3<T> {
         }
     }
 
+    /// a s + b.
+    #[inline(always)]
+    pub fn mul_add(self, s: T, b: Self) -> Self {
+        Self { x: self.x.mul_add(s, b.x), y: self.y.mul_add(s, b.y), z: self.z.mul_add(s, b.z) }
+    }
+
     /// |a|.
     #[inline(always)]
     pub fn norm(self) -> T {

@@ -1,10 +1,14 @@
 //! Eigenvalues and eigenvectors of H in a metric: H x = λ B x.
 
+mod bisect;
 mod eigen;
+mod extremes;
 mod metric;
 mod ql;
+mod rayleigh;
 pub mod sturm;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
+pub use extremes::{Extreme, Extremes, Unresolved, extremes};
 pub use metric::Metric;

@@ -14,9 +14,14 @@
 //! free-floating H*, because Schur's complement of H_bb in H − σB is H* − σB_j.
 
 mod count;
+mod diagonal;
+mod estimate;
 mod hinge;
 mod pencil;
+mod solve;
 mod sweep;
 
 pub use count::{Count, counts};
+pub(super) use estimate::absolute_error;
 pub use pencil::Pencil;
+pub(super) use solve::Factors;

@@ -1,32 +1,44 @@
 //! The pencil (H(q), B) in the form that sweeps work on: no matrix, only the tree at q.
 
-use crate::dynamics::Kinematics;
+use crate::dynamics::{Kinematics, Rerooted, TreeBody};
 use crate::error::InputError;
-use crate::model::{Body, Model};
+use crate::joint::Column;
+use crate::model::Model;
 use crate::scalar::Real;
+use crate::spatial::{Motion, RigidInertia, Transform};
+use std::ops::Range;
 
 /// H(q) x = λ B x, not yet formed.
 #[derive(Debug, Clone)]
-pub struct Pencil<'m, T> {
-    pub(super) model: &'m Model<T>,
-    pub(super) kinematics: Kinematics<T>,
+pub struct Pencil<T> {
+    /// N: the bodies, each after the one that carries it.
+    pub(super) nodes: Vec<Node<T>>,
+    /// nv: columns of S, each in its body's frame.
+    pub(super) S: Vec<Motion<T>>,
     /// nv: diagonal of B, zero for DoFs that take no part.
     pub(super) B: Vec<T>,
-    /// N: where each body's inertia goes.
-    pub(super) route: Vec<Route>,
+    /// nv: armature.
+    pub(super) armature: Vec<T>,
+    /// The model's own base among the nodes, where it was removed.
+    base: Option<usize>,
 }
 
-/// How a body's articulated inertia reaches its parent when bodies are swept in reverse pre-order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Route {
-    pub to: Destination,
-    /// The body has more than one child: the others' sum waits on the stack.
+/// A body at q.
+#[derive(Debug, Clone)]
+pub(super) struct Node<T> {
+    pub I: RigidInertia<T>,
+    pub X_up: Transform<T>,
+    pub columns: &'static [Column],
+    pub v0: u32,
+    pub parent: u32,
+    pub route: Route,
+    /// More than one child: the others' sum waits on the stack.
     pub collects: bool,
 }
 
-/// Where a swept body's inertia is kept until its parent is reached.
+/// Where a body's inertia waits until its parent is reached, bodies taken from the last to the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Destination {
+pub(super) enum Route {
     /// The parent is next.
     Next,
     /// The first of several siblings to be swept: a new entry on the stack.
@@ -37,19 +49,87 @@ pub(super) enum Destination {
     World,
 }
 
-impl<'m, T: Real> Pencil<'m, T> {
+impl<T: Real> Node<T> {
+    #[inline(always)]
+    pub fn dofs(&self) -> Range<usize> {
+        let v0 = self.v0 as usize;
+        v0..v0 + self.columns.len()
+    }
+
+    #[inline(always)]
+    pub fn parent(&self) -> Option<usize> {
+        (self.route != Route::World).then_some(self.parent as usize)
+    }
+}
+
+impl<T: Real> Pencil<T> {
     /// The pencil at q with the diagonal metric B, one number a DoF, zero for those that take no part.
     ///
     /// Errors: [`InputError`] if q or B does not fit the model, or an entry of B is negative.
-    pub fn new(model: &'m Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
+    pub fn new(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
+        let kinematics = Self::check(model, q, &B)?;
+        let columns = |i: usize| model.bodies()[i].joint().columns();
+        Ok(Self::from_tree(model.bodies(), columns, kinematics, model.armature(), B))
+    }
+
+    /// The pencil of the free-floating H*: six columns with B = 0 on the heaviest body.
+    ///
+    /// The first six numbers of B are ignored. Errors: as [`new`](Self::new), and [`InputError::NoFloatingBase`].
+    pub fn free_floating(model: &Model<T>, q: &[T], mut B: Vec<T>) -> Result<Self, InputError> {
+        if !model.has_floating_base() {
+            return Err(InputError::NoFloatingBase);
+        }
+        let kinematics = Self::check(model, q, &B)?;
+        B[..6].fill(T::ZERO);
+        let mut tree = Rerooted::new(model);
+        tree.update(model, &kinematics);
+        let columns = |i: usize| tree.columns(model, i);
+        let pencil = Self::from_tree(&tree.bodies, columns, tree.kinematics.clone(), model.armature(), B);
+        Ok(Self { base: Some(tree.place_of_base()), ..pencil })
+    }
+
+    fn check(model: &Model<T>, q: &[T], B: &[T]) -> Result<Kinematics<T>, InputError> {
         model.check_q(q)?;
-        model.check_v("B", &B)?;
+        model.check_v("B", B)?;
         if let Some(index) = B.iter().position(|&b| b < T::ZERO) {
             return Err(InputError::NotPositive { what: "B", index, value: B[index].to_f64() });
         }
         let mut kinematics = Kinematics::new(model);
         kinematics.update(model, q);
-        Ok(Self { model, kinematics, B, route: routes(&model.bodies) })
+        Ok(kinematics)
+    }
+
+    fn from_tree<N: TreeBody<T>>(
+        bodies: &[N],
+        columns: impl Fn(usize) -> &'static [Column],
+        Kinematics { X_up, S }: Kinematics<T>,
+        armature: &[T],
+        B: Vec<T>,
+    ) -> Self {
+        let mut children = vec![0u32; bodies.len()];
+        let mut last_child = vec![0usize; bodies.len()];
+        for (i, body) in bodies.iter().enumerate() {
+            if let Some(p) = body.parent() {
+                children[p] += 1;
+                last_child[p] = i;
+            }
+        }
+        let node = |(i, body): (usize, &N)| Node {
+            I: body.inertia(),
+            X_up: X_up[i],
+            columns: columns(i),
+            v0: body.dofs().start as u32,
+            parent: body.parent().unwrap_or(0) as u32,
+            route: match body.parent() {
+                None => Route::World,
+                Some(p) if p + 1 == i => Route::Next,
+                Some(p) if last_child[p] == i => Route::Push,
+                Some(_) => Route::Add,
+            },
+            collects: children[i] > 1,
+        };
+        let nodes = bodies.iter().enumerate().map(node).collect();
+        Self { nodes, S, B, armature: armature.to_vec(), base: None }
     }
 
     /// Number of eigenvalues: DoFs with B > 0.
@@ -61,26 +141,21 @@ impl<'m, T: Real> Pencil<'m, T> {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
-}
 
-/// The routes of bodies in pre-order. With the largest subtree of siblings last, the stack holds at most log₂ N entries.
-fn routes<T: Real>(bodies: &[Body<T>]) -> Vec<Route> {
-    let mut children = vec![0u32; bodies.len()];
-    let mut last_child = vec![0usize; bodies.len()];
-    for (i, body) in bodies.iter().enumerate() {
-        if let Some(p) = body.parent() {
-            children[p] += 1;
-            last_child[p] = i;
+    /// Diagonal of B.
+    pub fn metric(&self) -> &[T] {
+        &self.B
+    }
+
+    /// Where the base was removed, the six numbers of `x` that are the base's: how it moves along, from all bodies' motions.
+    pub(in crate::spectrum) fn fill_base(&self, motions: &[Motion<T>], x: &mut [T]) {
+        if let Some(base) = self.base {
+            x[..6].copy_from_slice(&motions[base].to_array());
         }
     }
-    let route = |(i, body): (usize, &Body<T>)| {
-        let to = match body.parent() {
-            None => Destination::World,
-            Some(p) if p + 1 == i => Destination::Next,
-            Some(p) if last_child[p] == i => Destination::Push,
-            Some(_) => Destination::Add,
-        };
-        Route { to, collects: children[i] > 1 }
-    };
-    bodies.iter().enumerate().map(route).collect()
+
+    /// Diagonal of the matrix, B left aside: H_dd from composite inertias, O(N); H*_dd where a base with B = 0 is removed.
+    pub fn diagonal(&self) -> Vec<T> {
+        super::diagonal::diagonal(self)
+    }
 }
