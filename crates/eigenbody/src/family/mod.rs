@@ -51,7 +51,7 @@ pub struct Family {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FamilyError {
     /// No links, or too many.
-    #[error("N = {0}: the number of links is a whole number from 1 to {MAX_BODIES}")]
+    #[error("N = {0:?}: the number of links is a whole number from 1 to {MAX_BODIES}")]
     Links(f64),
     /// A branching factor below 1 gives links without a parent before them.
     #[error("B = {0}: the branching factor is a number of 1 or more")]
@@ -74,13 +74,13 @@ pub enum FamilyError {
 
 impl Family {
     /// Spatial chains and trees of thin tubes; planar for α = 0.
-    pub fn hydra(n: usize, branching: f64, skew: f64, taper: f64) -> Result<Self, FamilyError> {
-        Self::new(Shape::Hydra, n, branching, skew, taper)
+    pub fn hydra(n: usize, branching: f64, skew: f64, taper: impl Into<Dd>) -> Result<Self, FamilyError> {
+        Self::new(Shape::Hydra, n, branching, skew, taper.into())
     }
 
     /// Spherical robots: every axis through the origin; circular for α = 0.
-    pub fn onion(n: usize, branching: f64, skew: f64, taper: f64) -> Result<Self, FamilyError> {
-        Self::new(Shape::Onion, n, branching, skew, taper)
+    pub fn onion(n: usize, branching: f64, skew: f64, taper: impl Into<Dd>) -> Result<Self, FamilyError> {
+        Self::new(Shape::Onion, n, branching, skew, taper.into())
     }
 
     /// A planar chain of n slender rods of `mass` (kg) and `length` (m) each (Shah & Saha 2013, §2).
@@ -90,16 +90,16 @@ impl Family {
                 return Err(FamilyError::Size { what, value });
             }
         }
-        Ok(Self { mass, length, ..Self::new(Shape::Rod, n, 1.0, 0.0, 1.0)? })
+        Ok(Self { mass, length, ..Self::new(Shape::Rod, n, 1.0, 0.0, Dd::ONE)? })
     }
 
     /// Hydra's links on joints that run through every kind in turn: revolute, prismatic, helical, cylindrical, universal,
     /// planar, spherical, floating.
-    pub fn auto_tree(n: usize, branching: f64, skew: f64, taper: f64) -> Result<Self, FamilyError> {
-        Self::new(Shape::Auto, n, branching, skew, taper)
+    pub fn auto_tree(n: usize, branching: f64, skew: f64, taper: impl Into<Dd>) -> Result<Self, FamilyError> {
+        Self::new(Shape::Auto, n, branching, skew, taper.into())
     }
 
-    fn new(shape: Shape, n: usize, branching: f64, skew: f64, taper: f64) -> Result<Self, FamilyError> {
+    fn new(shape: Shape, n: usize, branching: f64, skew: f64, taper: Dd) -> Result<Self, FamilyError> {
         if n == 0 || n > MAX_BODIES {
             return Err(FamilyError::Links(n as f64));
         }
@@ -114,17 +114,17 @@ impl Family {
         family.with_taper(taper)
     }
 
-    fn with_taper(self, taper: f64) -> Result<Self, FamilyError> {
-        match taper > 0.0 && taper.is_finite() {
-            true => Ok(Self { taper: Dd::from_f64(taper), ..self }),
-            false => Err(FamilyError::Taper(taper)),
+    fn with_taper(self, taper: Dd) -> Result<Self, FamilyError> {
+        match taper > Dd::ZERO && taper.is_finite() {
+            true => Ok(Self { taper, ..self }),
+            false => Err(FamilyError::Taper(taper.hi())),
         }
     }
 
     /// The same robot with ρ = R^(1/(N−1)): the last link is R times the size of the first.
-    pub fn with_size_ratio(self, ratio: f64) -> Result<Self, FamilyError> {
+    pub fn with_size_ratio(self, ratio: impl Into<Dd>) -> Result<Self, FamilyError> {
         let n = self.n as u32;
-        let family = self.with_taper(ratio)?;
+        let family = self.with_taper(ratio.into())?;
         let taper = if n > 1 { family.taper.root(n - 1) } else { Dd::ONE };
         Ok(Self { taper, ..family })
     }

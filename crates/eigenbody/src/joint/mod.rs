@@ -176,6 +176,7 @@ impl<T: Scalar> Joint<T> {
     }
 
     /// The kind in another scalar.
+    #[inline(always)]
     pub(crate) fn map<U: Scalar>(&self, f: impl Fn(T) -> U + Copy) -> Joint<U> {
         match *self {
             Self::Fixed => Joint::Fixed,

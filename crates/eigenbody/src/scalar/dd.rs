@@ -11,7 +11,9 @@
 use super::{Real, Scalar};
 use std::cmp::Ordering;
 use std::fmt;
+use std::num::ParseFloatError;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::str::FromStr;
 
 /// A double-double number `hi + lo`, |lo| ≤ ulp(hi)/2. The oracle against which every error is measured.
 ///
@@ -113,6 +115,38 @@ impl Dd {
     #[inline(always)]
     pub fn lo(self) -> f64 {
         self.lo
+    }
+}
+
+impl From<f64> for Dd {
+    fn from(x: f64) -> Self {
+        Self { hi: x, lo: 0.0 }
+    }
+}
+
+/// A decimal number, to the last digit that fits: `0.7` is seven tenths, not the nearest f64.
+impl FromStr for Dd {
+    type Err = ParseFloatError;
+    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
+        let nearest: f64 = text.parse()?;
+        let (digits, exponent) = match text.split_once(['e', 'E']) {
+            Some((digits, exponent)) => (digits, exponent.parse::<i32>().unwrap_or(i32::MAX)),
+            None => (text, 0),
+        };
+        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+        let places = exponent.saturating_sub(fraction.len() as i32);
+        let length = whole.len() + fraction.len();
+        // Beyond what 10^k holds without rounding twice, and for inf and nan, the nearest f64 is all there is.
+        if places.unsigned_abs() > 250 || length > 60 || !nearest.is_finite() {
+            return Ok(nearest.into());
+        }
+        let mut value = Self::ZERO;
+        for digit in whole.bytes().chain(fraction.bytes()).filter(u8::is_ascii_digit) {
+            value = value * Self::from(10.0) + Self::from(f64::from(digit - b'0'));
+        }
+        let power = Self::from(10.0).powi(places.unsigned_abs());
+        let value = if places < 0 { value / power } else { value * power };
+        Ok(if text.starts_with('-') { -value } else { value })
     }
 }
 

@@ -78,6 +78,7 @@ impl<T: Scalar> Mat3<T> {
     }
 
     /// The entries in another scalar.
+    #[inline(always)]
     pub fn map<U>(self, f: impl Fn(T) -> U + Copy) -> Mat3<U> {
         Mat3 { x: self.x.map(f), y: self.y.map(f), z: self.z.map(f) }
     }

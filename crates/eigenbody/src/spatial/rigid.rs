@@ -36,6 +36,7 @@ impl<T: Scalar> RigidInertia<T> {
     }
 
     /// The entries in another scalar.
+    #[inline(always)]
     pub fn map<U: Scalar>(&self, f: impl Fn(T) -> U + Copy) -> RigidInertia<U> {
         RigidInertia { m: f(self.m), h: self.h.map(f), I: self.I.map(f) }
     }

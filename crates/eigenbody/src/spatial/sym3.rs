@@ -87,6 +87,7 @@ impl<T: Scalar> Sym3<T> {
     }
 
     /// The entries in another scalar.
+    #[inline(always)]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Sym3<U> {
         Sym3 {
             xx: f(self.xx),

@@ -90,6 +90,7 @@ impl<T: Scalar> Transform<T> {
     }
 
     /// The entries in another scalar.
+    #[inline(always)]
     pub fn map<U: Scalar>(&self, f: impl Fn(T) -> U + Copy) -> Transform<U> {
         Transform { E: self.E.map(f), r: self.r.map(f) }
     }

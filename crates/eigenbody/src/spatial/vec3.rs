@@ -64,6 +64,7 @@ impl<T: Scalar> Vec3<T> {
     }
 
     /// The components in another scalar.
+    #[inline(always)]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Vec3<U> {
         Vec3 { x: f(self.x), y: f(self.y), z: f(self.z) }
     }

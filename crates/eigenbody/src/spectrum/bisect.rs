@@ -104,9 +104,9 @@ impl Search {
             for (k, shift) in shifts.iter_mut().enumerate() {
                 *shift = hi * 0.1f64.powi(1 << k.min(6));
             }
-        } else if hi / lo < 2.0 && self.shrink < 1.0 / 3.0 && bracket.is_isolated() {
+        } else if self.shrink < 1.0 / 3.0 && bracket.is_isolated() {
             self.around_zero(bracket, shifts);
-        } else if let (true, Some((edge, error))) = (self.shrink < 1.0 / 3.0, self.edge(bracket)) {
+        } else if let (true, Some((edge, error))) = (hi / lo < 2.0 && self.shrink < 1.0 / 3.0, self.edge(bracket)) {
             around(edge, error, bracket, shifts);
         } else {
             let steps = shifts.len() as f64 + 1.0;
@@ -117,19 +117,24 @@ impl Search {
         }
     }
 
-    /// Shifts around the interpolated zero: at its estimated error and at geometric steps from there to the bracket's width.
+    /// Shifts around the interpolated zero of det(H − σB).
     fn around_zero(&self, bracket: Bracket, shifts: &mut [f64]) {
-        let (lo, hi) = (bracket.lo.shift, bracket.hi.shift);
-        let at = self.points.partition_point(|point| point.shift < lo);
-        // Both ends first, then neighbours further out, nearer ones first.
-        let mut nodes = vec![bracket.lo, bracket.hi];
-        let outer = [at.checked_sub(1), Some(at + 2), at.checked_sub(2), Some(at + 3)];
-        nodes.extend(outer.into_iter().flatten().filter_map(|i| self.points.get(i)));
-        nodes.truncate(5);
-        let zero = interpolated_zero(&nodes);
-        let coarser = interpolated_zero(&nodes[..nodes.len() - 1]);
-        let error = (2.0 * (zero - coarser).abs()).max(0.5 * WIDTH * hi).min(0.1 * (hi - lo));
+        let nodes = self.nodes(bracket);
+        let zero = interpolated_zero(&nodes, bracket);
+        let coarser = interpolated_zero(&nodes[..nodes.len() - 1], bracket);
+        let error = (2.0 * (zero - coarser).abs()).max(0.5 * WIDTH * bracket.hi.shift).min(0.1 * bracket.width());
         around(zero, error, bracket, shifts);
+    }
+
+    /// The bracket's ends and up to four points beside them, the nearest first, without another eigenvalue in between.
+    fn nodes(&self, Bracket { lo, hi }: Bracket) -> Vec<Count> {
+        let at = self.points.partition_point(|point| point.shift < lo.shift);
+        let left = self.points[..at].iter().rev().take_while(|point| point.below == lo.below).take(2);
+        let right = self.points[at + 2..].iter().take_while(|point| point.below == hi.below).take(2);
+        let mut beside: Vec<&Count> = left.chain(right).collect();
+        let distance = |point: &Count| (lo.shift - point.shift).max(point.shift - hi.shift);
+        beside.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        [lo, hi].into_iter().chain(beside.into_iter().copied()).collect()
     }
 
     /// Where the spectrum begins, if σ_c = λ₀ + a c² as at the edge of a band, and how far that may be off.
@@ -164,30 +169,25 @@ fn around(guess: f64, error: f64, bracket: Bracket, shifts: &mut [f64]) {
     }
 }
 
-/// The zero, between the first two nodes, of the polynomial through det(H − σB) at all nodes.
-fn interpolated_zero(nodes: &[Count]) -> f64 {
-    let (lo, hi) = (nodes[0].shift, nodes[1].shift);
-    // Newton's divided differences in t = (σ − lo)/(hi − lo), determinants relative to the first one.
-    let t: Vec<f64> = nodes.iter().map(|node| (node.shift - lo) / (hi - lo)).collect();
-    let mut table: Vec<f64> = nodes
-        .iter()
-        .map(|node| {
-            let sign = if (node.below + nodes[0].below) % 2 == 0 { 1.0 } else { -1.0 };
-            sign * (node.log2_det - nodes[0].log2_det).clamp(-900.0, 900.0).exp2()
-        })
-        .collect();
-    let n = nodes.len();
-    for level in 1..n {
-        for i in (level..n).rev() {
-            table[i] = (table[i] - table[i - 1]) / (t[i] - t[i - level]);
-        }
-    }
-    let value = |x: f64| (0..n).rev().fold(0.0, |sum, i| sum * (x - t[i]) + table[i]);
-    // The values at 0 and 1 have opposite signs: the nodes are there.
+/// The zero λ of det(H − σB) in the bracket for which log|det| − log|σ − λ| is a polynomial of the lowest degree at the nodes.
+///
+/// That is where the highest divided difference vanishes. At the bracket's ends log|σ − λ| has poles, and the weights of two
+/// neighbouring nodes have opposite signs: there is a change of sign between.
+fn interpolated_zero(nodes: &[Count], Bracket { lo, hi }: Bracket) -> f64 {
+    let width = hi.shift - lo.shift;
+    let t: Vec<f64> = nodes.iter().map(|node| (node.shift - lo.shift) / width).collect();
+    let weight = |j: usize| (0..t.len()).filter(|&k| k != j).fold(1.0, |w, k| w / (t[j] - t[k]));
+    let weights: Vec<f64> = (0..t.len()).map(weight).collect();
+    let value = |x: f64| -> f64 {
+        let term = |j: usize| weights[j] * (nodes[j].log2_det - nodes[0].log2_det - (x - t[j]).abs().log2());
+        (0..t.len()).map(term).sum()
+    };
     let (mut a, mut b) = (0.0, 1.0);
+    // Positive where the pole at lo, of weight w, pulls −w log|x| up.
+    let sign = weights[0].signum();
     for _ in 0..60 {
         let middle = 0.5 * (a + b);
-        if value(middle) > 0.0 { a = middle } else { b = middle }
+        if value(middle) * sign > 0.0 { a = middle } else { b = middle }
     }
-    lo + 0.5 * (a + b) * (hi - lo)
+    lo.shift + 0.5 * (a + b) * width
 }

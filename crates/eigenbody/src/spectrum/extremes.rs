@@ -47,41 +47,50 @@ pub struct Extremes {
     pub passes: usize,
 }
 
+/// Whether a Rayleigh quotient in double-double improves on the counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Precision {
+    /// Never.
+    F64,
+    /// Where the error estimate exceeds 1e-14.
+    #[default]
+    Auto,
+    /// Always.
+    Dd,
+}
+
 /// λmin and λmax of H(q) x = λ B x with their modes and error estimates, in O(N).
 ///
-/// | name | shape | unit |
-/// |------|-------|------|
-/// | `q` | `nq` | rad, m, unit quaternion |
-/// | `B` | `nv`, not negative; zero for DoFs that take no part | see [`Metric`](super::Metric) |
-/// | `free_floating` | the base is removed: H* | – |
-///
-/// Method: Sturm counts from articulated-body pivots, bisection with interpolated shifts, inverse iteration. Typically 8 to 18
+/// Method: Sturm counts from articulated-body pivots, bisection with interpolated shifts, inverse iteration. Typically 8 to 16
 /// passes of about 70 ns a body; allocates. Numerics: the relative error is that of [`Extreme::error_estimate`], usually a few ε
-/// whatever κ; see `docs/numerics.md`.
+/// whatever κ; see `docs/numerics.md`. `model` and `q` are those of the pencil.
 ///
-/// Errors: [`InputError`] if q or B does not fit, or a base is to be removed that is not there.
+/// Errors: [`InputError::NotPositive`] if B is zero throughout.
 ///
 /// ```
-/// use eigenbody::{Family, spectrum::extremes};
-/// let robot = Family::hydra(1000, 1.0, 0.0, 1.0)?.model::<f64>()?;
-/// let ends = extremes(&robot, &vec![0.0; 1000], vec![1.0; 1000], false)?;
-/// assert!((ends.min.unwrap().value / 0.021146039167710279588 - 1.0).abs() < 5e-15);
-/// assert!((ends.max.value / 81052547734.423965589 - 1.0).abs() < 5e-15);
+/// use eigenbody::Family;
+/// use eigenbody::spectrum::{Precision, extremes, sturm::Pencil};
+/// let (robot, q) = (Family::hydra(1000, 1.0, 0.0, 1.0)?.model::<f64>()?, vec![0.0; 1000]);
+/// let pencil = Pencil::new(&robot, &q, vec![1.0; 1000])?;
+/// let ends = extremes(&robot, &q, &pencil, Precision::Auto)?;
+/// assert!((ends.min.unwrap().value / 0.02114603916771028 - 1.0).abs() < 5e-15);
+/// assert!((ends.max.value / 81052547734.42397 - 1.0).abs() < 5e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn extremes(model: &Model<f64>, q: &[f64], B: Vec<f64>, free_floating: bool) -> Result<Extremes, InputError> {
-    let pencil = match free_floating {
-        true => Pencil::free_floating(model, q, B)?,
-        false => Pencil::new(model, q, B)?,
-    };
+pub fn extremes(
+    model: &Model<f64>,
+    q: &[f64],
+    pencil: &Pencil<f64>,
+    precision: Precision,
+) -> Result<Extremes, InputError> {
     if pencil.is_empty() {
         return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
     }
     let (mut low, mut high) = (Search::new(0), Search::new(pencil.len() - 1));
     let mut passes = 0;
-    let mut shifts = first_shifts(&pencil);
+    let mut shifts = first_shifts(pencil);
     while passes < MAX_PASSES {
-        let found = counts(&pencil, shifts);
+        let found = counts(pencil, shifts);
         passes += 1;
         low.learn(&found);
         high.learn(&found);
@@ -96,8 +105,8 @@ pub fn extremes(model: &Model<f64>, q: &[f64], B: Vec<f64>, free_floating: bool)
             }
         }
     }
-    let mut factors = Factors::new(&pencil);
-    let mut ending = Ending { model, q, pencil: &pencil, factors: &mut factors };
+    let mut factors = Factors::new(pencil);
+    let mut ending = Ending { model, q, pencil, precision, factors: &mut factors };
     let max = ending.finish(high.value().unwrap_or(f64::INFINITY));
     let min = match low.value() {
         Some(value) => {
@@ -127,18 +136,24 @@ struct Ending<'a> {
     model: &'a Model<f64>,
     q: &'a [f64],
     pencil: &'a Pencil<f64>,
+    precision: Precision,
     factors: &'a mut Factors<f64>,
 }
 
 impl Ending<'_> {
     /// Mode, error estimate and, where that asks, the double-double quotient.
     fn finish(&mut self, value: f64) -> Extreme {
-        let Self { model, q, pencil, factors } = self;
+        let Self { model, q, pencil, precision, factors } = self;
         let mut vector = mode(pencil, value, factors);
         pencil.fill_base(factors.motions(), &mut vector);
         let error = absolute_error(pencil, value, factors.motions());
         let estimate = (error / value).max(f64::EPSILON);
-        if estimate > WELL_KNOWN {
+        let refine = match precision {
+            Precision::F64 => false,
+            Precision::Auto => estimate > WELL_KNOWN,
+            Precision::Dd => true,
+        };
+        if refine {
             let refined = quotient(model, q, &vector, pencil.metric());
             if (refined - value).abs() <= error {
                 // The quotient errs by the square of the vector's error, of which the estimate is a bound.

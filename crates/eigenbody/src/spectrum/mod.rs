@@ -10,5 +10,5 @@ pub mod sturm;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
-pub use extremes::{Extreme, Extremes, Unresolved, extremes};
+pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
 pub use metric::Metric;

@@ -37,8 +37,8 @@ pub(super) fn mode(pencil: &Pencil<f64>, shift: f64, factors: &mut Factors<f64>)
         factors.solve(pencil, &mut x);
         let grown = normalise(&mut x, B);
         factors.scale_motions(1.0 / grown);
-        // Growth settles at 1/|λ − σ| when the other modes have died out.
-        if grown <= 1.5 * growth {
+        // Growth is 1/|λ − σ| once the other modes have died out: it settles, or the residual 1/growth is all rounding.
+        if growth > 0.0 && (grown <= 1.5 * growth || grown * shift > 1e12) {
             break;
         }
         growth = grown;
