@@ -1,6 +1,8 @@
 //! The command line: a contract. Add, do not rename.
 
 use clap::{Parser, Subcommand, ValueEnum};
+use eigenbody::Method;
+use eigenbody::spectrum::Precision;
 use std::path::PathBuf;
 
 /// How well-conditioned is a robot?
@@ -63,6 +65,18 @@ pub struct SpectrumArgs {
     #[arg(long, default_value = "euclidean")]
     pub metric: String,
 
+    /// From the matrix (dense), from the tree in O(N) without it (sturm), or whichever suits (auto).
+    #[arg(long, value_enum, default_value_t = MethodArg::Auto)]
+    pub method: MethodArg,
+
+    /// Double-double for the last digits: never (f64), always (dd), or where the error estimate asks (auto).
+    #[arg(long, value_enum, default_value_t = PrecisionArg::Auto)]
+    pub precision: PrecisionArg,
+
+    /// Count the eigenvalues below σ.
+    #[arg(long, value_name = "σ", allow_negative_numbers = true)]
+    pub count_below: Option<f64>,
+
     /// List all eigenvalues.
     #[arg(long)]
     pub all: bool,
@@ -116,4 +130,46 @@ pub enum Switch {
     On,
     /// Off.
     Off,
+}
+
+/// `--method`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MethodArg {
+    /// Whichever suits.
+    Auto,
+    /// From the matrix.
+    Dense,
+    /// From the tree.
+    Sturm,
+}
+
+impl From<MethodArg> for Method {
+    fn from(method: MethodArg) -> Self {
+        match method {
+            MethodArg::Auto => Self::Auto,
+            MethodArg::Dense => Self::Dense,
+            MethodArg::Sturm => Self::Sturm,
+        }
+    }
+}
+
+/// `--precision`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PrecisionArg {
+    /// Where the error estimate asks.
+    Auto,
+    /// Never.
+    F64,
+    /// Always.
+    Dd,
+}
+
+impl From<PrecisionArg> for Precision {
+    fn from(precision: PrecisionArg) -> Self {
+        match precision {
+            PrecisionArg::Auto => Self::Auto,
+            PrecisionArg::F64 => Self::F64,
+            PrecisionArg::Dd => Self::Dd,
+        }
+    }
 }

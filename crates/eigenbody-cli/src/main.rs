@@ -2,6 +2,7 @@
 //!
 //! Data goes to stdout, talk to stderr. Exit status: 0 ok, 2 error.
 
+#![forbid(unsafe_code)]
 // H is the book's symbol.
 #![allow(non_snake_case)]
 

@@ -98,8 +98,8 @@ hydra(4,1,0,1)
   κ     1061.15           λmax/λmin, euclidean metric: for gains and time steps
   κ'    512.976           digits left in a solve: 13 of 15 in f64, 4 of 7 in f32
   r     63.7758           bracket: 63.8 ≤ κ ≤ 32715
-  λmin  0.0305649 kg m²   inertia of the softest motion
-  λmax  32.4338 kg m²     inertia of the stiffest motion
+  λmin  0.0305649 kg m²   inertia of the softest motion, ± 1e-15
+  λmax  32.4338 kg m²     inertia of the stiffest motion, ± 3e-16
 
   softest mode, λ = 0.03056            stiffest mode, λ = 32.43
   joint_4 +  42.4% ███████             joint_1 +  65.2% ██████████

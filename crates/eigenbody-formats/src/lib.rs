@@ -17,6 +17,7 @@
 //! It reads no meshes, resolves no `package://` addresses and expands no xacro: nothing of these touches inertia. MJCF and
 //! SDF files are recognised and refused. It writes nothing.
 
+#![forbid(unsafe_code)]
 // E, I and X are the book's symbols.
 #![allow(non_snake_case)]
 

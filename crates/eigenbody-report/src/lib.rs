@@ -2,6 +2,8 @@
 //!
 //! Nothing is computed here: a result comes in, text or bytes go out.
 
+#![forbid(unsafe_code)]
+
 mod matrix;
 mod number;
 mod spectrum;
@@ -9,5 +11,5 @@ mod text;
 
 pub use matrix::MatrixReport;
 pub use number::significant;
-pub use spectrum::{ModeReport, SpectrumReport, Subject};
+pub use spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
 pub use text::{Mode, modes};

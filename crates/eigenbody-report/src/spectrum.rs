@@ -1,6 +1,6 @@
 //! The spectrum of a robot in one configuration: what `eigenbody spectrum` answers.
 
-use eigenbody::{Conditioning, Metric};
+use eigenbody::{Conditioning, Method, Metric};
 use serde::Serialize;
 
 /// One mode: a vector over the DoFs, and the DoFs' names in the same order.
@@ -29,6 +29,24 @@ pub struct Subject {
     pub q: Vec<f64>,
 }
 
+/// Estimated relative errors.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ErrorEstimate {
+    /// Of λmin.
+    pub lambda_min: Option<f64>,
+    /// Of λmax.
+    pub lambda_max: Option<f64>,
+}
+
+/// How many eigenvalues lie below a shift.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CountReport {
+    /// The shift σ.
+    pub sigma: f64,
+    /// Number of eigenvalues below it.
+    pub count: usize,
+}
+
 /// Everything that `eigenbody spectrum --json` prints. A number that does not exist is `null` and `note` says why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SpectrumReport {
@@ -42,11 +60,16 @@ pub struct SpectrumReport {
     /// Unit of the eigenvalues.
     pub unit: &'static str,
     /// How the eigenvalues were computed.
-    pub method: String,
+    pub method: &'static str,
+    /// Sweeps of eight counts that κ took, by the method `sturm`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passes: Option<usize>,
     /// Smallest eigenvalue.
     pub lambda_min: Option<f64>,
     /// Largest eigenvalue.
     pub lambda_max: Option<f64>,
+    /// Estimated relative errors of both.
+    pub error_estimate: ErrorEstimate,
     /// κ.
     pub kappa: Option<f64>,
     /// κ′.
@@ -58,6 +81,9 @@ pub struct SpectrumReport {
     /// All eigenvalues, ascending, if asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub eigenvalues: Option<Vec<f64>>,
+    /// The count that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub count_below: Option<CountReport>,
     /// The mode of the smallest eigenvalue.
     pub softest: Option<ModeReport>,
     /// The mode of the largest eigenvalue.
@@ -70,36 +96,44 @@ pub struct SpectrumReport {
 }
 
 impl SpectrumReport {
-    /// What a [`Conditioning`] says about `subject`. `weights` is the diagonal of B, `names` the DoFs.
+    /// What a [`Conditioning`] says about `subject`; `names` are the DoFs'.
     pub fn new(
         subject: Subject,
         metric: &Metric<f64>,
         unit: &'static str,
         result: &Conditioning<f64>,
-        weights: &[f64],
         names: &[String],
     ) -> Self {
         let finite = |x: Option<f64>| x.filter(|x| x.is_finite());
-        let mode = |vector: &[f64]| ModeReport {
-            vector: vector.to_vec(),
+        let mode = |vector: &Vec<f64>| ModeReport {
+            vector: vector.clone(),
             joints: names.to_vec(),
-            share: vector.iter().zip(weights).map(|(x, b)| b * x * x).collect(),
+            share: vector.iter().zip(&result.weights).map(|(x, b)| b * x * x).collect(),
         };
         Self {
             subject,
             dofs: names.len(),
             metric: metric.to_string(),
             unit,
-            method: "dense".into(),
+            method: match result.method {
+                Method::Sturm => "sturm",
+                Method::Dense | Method::Auto => "dense",
+            },
+            passes: result.passes,
+            error_estimate: ErrorEstimate {
+                lambda_min: finite(result.error_estimate[0]),
+                lambda_max: finite(result.error_estimate[1]),
+            },
             lambda_min: finite(result.lambda_min),
             lambda_max: finite(result.lambda_max),
             kappa: finite(result.kappa),
             kappa_weighted: finite(result.kappa_weighted),
             diagonal_ratio: finite(result.diagonal_ratio),
             bracket: result.bracket.map(|(lo, hi)| [lo, hi]).filter(|b| b.iter().all(|x| x.is_finite())),
-            eigenvalues: None,
-            softest: result.softest().map(mode),
-            stiffest: result.stiffest().map(mode),
+            eigenvalues: result.eigenvalues.clone(),
+            count_below: None,
+            softest: result.softest.as_ref().map(mode),
+            stiffest: result.stiffest.as_ref().map(mode),
             note: (!result.notes.is_empty()).then(|| result.notes.join("; ")),
             findings: Vec::new(),
         }

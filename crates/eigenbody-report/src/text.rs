@@ -1,7 +1,7 @@
 //! The spectrum as a page for the terminal.
 
 use crate::number::significant;
-use crate::spectrum::{ModeReport, SpectrumReport, Subject};
+use crate::spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
 use comfy_table::{Table, presets};
 use std::fmt::Write;
 
@@ -26,6 +26,9 @@ impl SpectrumReport {
             let _ = writeln!(page, "{}", line.trim_end());
         }
         page.push('\n');
+        if let Some(CountReport { sigma, count }) = self.count_below {
+            let _ = writeln!(page, "  {count} of {} eigenvalues lie below {sigma}\n", self.dofs);
+        }
         let titled = |what: &str, lambda: Option<f64>| match lambda {
             Some(lambda) => format!("{what} mode, λ = {}", significant(lambda, 4)),
             None => format!("{what} mode"),
@@ -90,8 +93,13 @@ impl SpectrumReport {
         table.add_row(["κ", &show(self.kappa), &kappa]);
         table.add_row(["κ'", &show(self.kappa_weighted), &digits]);
         table.add_row(["r", &show(self.diagonal_ratio), &bracket]);
-        table.add_row(["λmin", &with_unit(self.lambda_min), "inertia of the softest motion"]);
-        table.add_row(["λmax", &with_unit(self.lambda_max), "inertia of the stiffest motion"]);
+        let error = |what: &str, estimate: Option<f64>| match estimate {
+            Some(estimate) => format!("inertia of the {what} motion, ± {estimate:.0e}"),
+            None => format!("inertia of the {what} motion"),
+        };
+        let ErrorEstimate { lambda_min, lambda_max } = self.error_estimate;
+        table.add_row(["λmin", &with_unit(self.lambda_min), &error("softest", lambda_min)]);
+        table.add_row(["λmax", &with_unit(self.lambda_max), &error("stiffest", lambda_max)]);
         for (column, padding) in [(0, (2, 1)), (1, (1, 2))] {
             if let Some(column) = table.column_mut(column) {
                 column.set_padding(padding);
@@ -132,7 +140,8 @@ pub fn modes(modes: &[Mode<'_>]) -> String {
 fn block(Mode { title, mode }: &Mode<'_>) -> Vec<String> {
     let mut order: Vec<usize> = (0..mode.share.len()).collect();
     order.sort_by(|&a, &b| mode.share[b].total_cmp(&mode.share[a]));
-    let shown: Vec<usize> = order.iter().copied().take(SHOWN).filter(|&d| mode.share[d] >= 5e-4).collect();
+    let shown: Vec<usize> =
+        order.iter().copied().take(SHOWN).filter(|&d| mode.share[d] >= 5e-4 || d == order[0]).collect();
     let name_width = shown.iter().map(|&d| mode.joints[d].chars().count()).max().unwrap_or(0);
     let mut lines = vec![title.clone()];
     for &d in &shown {

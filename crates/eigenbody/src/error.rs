@@ -51,6 +51,11 @@ pub enum InputError {
         /// Largest dimension that is formed.
         limit: usize,
     },
+    /// Mimic joints couple degrees of freedom across the tree.
+    #[error(
+        "mimic joints break the tree that the method needs; use the dense method or let them move freely"
+    )]
+    NotATree,
     /// The operation needs a floating base and the model has none.
     #[error("the model has no floating base")]
     NoFloatingBase,

@@ -34,7 +34,7 @@ pub mod scalar;
 pub mod spatial;
 pub mod spectrum;
 
-pub use conditioning::{Conditioning, conditioning};
+pub use conditioning::{Conditioning, Method, Question, conditioning, conditioning_at, count_below};
 pub use dynamics::{
     Reduction, bias_force, floating_mass_matrix, forward_dynamics, inverse_dynamics, mass_matrix,
 };

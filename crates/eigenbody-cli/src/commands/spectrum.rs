@@ -4,14 +4,14 @@ use crate::args::SpectrumArgs;
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::system::System;
-use eigenbody::{Metric, conditioning};
-use eigenbody_report::SpectrumReport;
+use eigenbody::{Metric, Question, conditioning_at, count_below};
+use eigenbody_report::{CountReport, SpectrumReport};
 
 /// Prints κ and what belongs to it.
 pub fn run(args: &SpectrumArgs) -> Result<(), Failure> {
     let metric = eigenbody_formats::metric(&args.metric)?;
     let system = System::open(&args.robot)?;
-    let report = report(&system, &metric, args)?;
+    let report = report(&system, metric, args)?;
     let path = args.output.as_deref();
     if args.json {
         let json = report.to_json().map_err(|error| Failure::Json(error.to_string()))?;
@@ -21,18 +21,28 @@ pub fn run(args: &SpectrumArgs) -> Result<(), Failure> {
     }
 }
 
-fn report(system: &System, metric: &Metric<f64>, args: &SpectrumArgs) -> Result<SpectrumReport, Failure> {
-    let H = system.mass_matrix()?;
-    let dofs = system.reduction.dofs(system.model());
-    let weights = metric
-        .weights_of(&H, |row| system.model().is_translation(dofs[row]))
-        .map_err(|error| system.failure(error))?;
-    let result = conditioning(&H, &weights).map_err(|error| system.failure(error))?;
-    let unit = metric.unit(dofs.iter().map(|&d| system.model().is_translation(d)));
-    let report = SpectrumReport::new(system.subject(), metric, unit, &result, &weights, &system.dof_names());
-    Ok(SpectrumReport {
-        eigenvalues: args.all.then_some(result.spectrum.values),
-        findings: system.findings(),
-        ..report
-    })
+fn report(system: &System, metric: Metric<f64>, args: &SpectrumArgs) -> Result<SpectrumReport, Failure> {
+    let model = system.model();
+    let dofs = system.reduction.dofs(model);
+    let question = Question {
+        metric,
+        reduction: system.reduction,
+        method: args.method.into(),
+        precision: args.precision.into(),
+        all: args.all,
+    };
+    let result = conditioning_at(model, &system.q, &question).map_err(|error| system.failure(error))?;
+    let unit = question.metric.unit(dofs.iter().map(|&d| model.is_translation(d)));
+    let report = SpectrumReport::new(system.subject(), &question.metric, unit, &result, &system.dof_names());
+    let count_below = match args.count_below {
+        Some(sigma) => Some(count(system, &question, sigma)?),
+        None => None,
+    };
+    Ok(SpectrumReport { findings: system.findings(), count_below, ..report })
+}
+
+fn count(system: &System, question: &Question, sigma: f64) -> Result<CountReport, Failure> {
+    let count =
+        count_below(system.model(), &system.q, question, sigma).map_err(|error| system.failure(error))?;
+    Ok(CountReport { sigma, count })
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output::deliver;
-use eigenbody::{Conditioning, Error, Metric, Model, conditioning, family, mass_matrix};
+use eigenbody::{Conditioning, Error, Metric, Model, Question, conditioning_at, family};
 use eigenbody_report::{SpectrumReport, Subject, significant};
 
 /// The arm stretched out and lifted a little, elbow and wrist bent: an everyday configuration.
@@ -16,7 +16,7 @@ pub fn run() -> Result<(), Failure> {
 }
 
 fn page(arm: &Model<f64>) -> Result<String, Error> {
-    let (weights, result) = judge(arm)?;
+    let result = judge(arm)?;
     let subject = Subject {
         model: "puma560".into(),
         bodies: arm.bodies().len(),
@@ -25,10 +25,10 @@ fn page(arm: &Model<f64>) -> Result<String, Error> {
         q: Q.to_vec(),
     };
     let names: Vec<String> = (0..arm.nv()).map(|d| arm.dof_name(d)).collect();
-    let report = SpectrumReport::new(subject, &Metric::Euclidean, "kg m²", &result, &weights, &names);
+    let report = SpectrumReport::new(subject, &Metric::Euclidean, "kg m²", &result, &names);
 
     let bare = arm.clone().with_armature(vec![0.0; arm.nv()])?;
-    let (_, without) = judge(&bare)?;
+    let without = judge(&bare)?;
     let kappa =
         |c: &Conditioning<f64>| c.kappa.map_or_else(|| "unresolved".into(), |kappa| significant(kappa, 4));
     Ok(format!(
@@ -40,11 +40,8 @@ fn page(arm: &Model<f64>) -> Result<String, Error> {
     ))
 }
 
-fn judge(arm: &Model<f64>) -> Result<(Vec<f64>, Conditioning<f64>), Error> {
-    let H = mass_matrix(arm, &Q)?;
-    let weights = Metric::Euclidean.weights(arm, &H)?;
-    let result = conditioning(&H, &weights)?;
-    Ok((weights, result))
+fn judge(arm: &Model<f64>) -> Result<Conditioning<f64>, Error> {
+    conditioning_at(arm, &Q, &Question::default())
 }
 
 const NEXT: &str = "\

@@ -1,9 +1,26 @@
 //! How well-conditioned: κ, κ′, the diagonal ratio, the bracket, the softest and the stiffest mode.
 
+mod at;
+
+pub use at::{Question, conditioning_at, count_below};
+
 use crate::error::Error;
 use crate::matrix::Matrix;
 use crate::scalar::Real;
 use crate::spectrum::{SymmetricEigen, eigen, eigenvalues};
+use std::cmp::Ordering;
+
+/// How eigenvalues are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Dense for up to 32 degrees of freedom where that keeps 13 digits, and where mimic joints break the tree; else Sturm.
+    #[default]
+    Auto,
+    /// From the matrix: Householder and QL, O(n³).
+    Dense,
+    /// From the tree: counts of articulated-body pivots, O(n).
+    Sturm,
+}
 
 /// Verdict on a mass matrix in a metric. A number that cannot be had is `None`, and `notes` says why.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,22 +37,22 @@ pub struct Conditioning<T> {
     pub diagonal_ratio: Option<T>,
     /// [r, r κ′]: κ lies within.
     pub bracket: Option<(T, T)>,
-    /// All eigenvalues, ascending, and their vectors.
-    pub spectrum: SymmetricEigen<T>,
+    /// Estimated relative errors of λmin and λmax.
+    pub error_estimate: [Option<f64>; 2],
+    /// All eigenvalues, ascending, where they were computed.
+    pub eigenvalues: Option<Vec<T>>,
+    /// The mode with the least inertia, xᵀBx = 1: what moves when little force is applied.
+    pub softest: Option<Vec<T>>,
+    /// The mode with the most inertia.
+    pub stiffest: Option<Vec<T>>,
+    /// Diagonal of B.
+    pub weights: Vec<T>,
+    /// How it was computed: never [`Method::Auto`].
+    pub method: Method,
+    /// Sweeps of eight counts that κ took.
+    pub passes: Option<usize>,
     /// Why something is `None`.
     pub notes: Vec<String>,
-}
-
-impl<T: Real> Conditioning<T> {
-    /// The mode with the least inertia: what moves when little force is applied.
-    pub fn softest(&self) -> Option<&[T]> {
-        (self.spectrum.vectors.rows() > 0).then(|| self.spectrum.vectors.row(0))
-    }
-
-    /// The mode with the most inertia.
-    pub fn stiffest(&self) -> Option<&[T]> {
-        self.spectrum.vectors.rows().checked_sub(1).map(|last| self.spectrum.vectors.row(last))
-    }
 }
 
 /// κ, κ′, bracket and modes of the mass matrix H in the diagonal metric `weights`.
@@ -62,39 +79,55 @@ impl<T: Real> Conditioning<T> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn conditioning<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Conditioning<T>, Error> {
-    let spectrum = eigen(H, weights)?;
+    let SymmetricEigen { values, vectors } = eigen(H, weights)?;
+    let n = values.len();
     let mut notes = Vec::new();
-    let (lambda_min, lambda_max) = extremes("λmin", &spectrum.values, &mut notes);
-    let kappa = ratio(lambda_max, lambda_min);
-
-    let diagonal: Vec<T> = weights.iter().enumerate().map(|(d, &b)| H[(d, d)] / b).collect();
-    let smallest = diagonal.iter().copied().reduce(T::min);
-    let largest = diagonal.iter().copied().reduce(T::max);
-    let has_zero = smallest.is_none_or(|least| least <= T::ZERO);
-    let (diagonal_ratio, kappa_weighted) = if has_zero {
-        if let Some(d) = diagonal.iter().position(|&x| x <= T::ZERO) {
-            notes.push(format!(
-                "DoF {d} has no inertia (H_dd = {:e}): κ′ and r do not exist",
-                diagonal[d].to_f64()
-            ));
-        }
-        (None, None)
+    let (lambda_min, lambda_max) = extremes("λmin", &values, &mut notes);
+    let error = lambda_max.map(|max| n as f64 * T::EPSILON * max.to_f64());
+    let relative = |lambda: Option<T>| Some(error? / lambda?.to_f64());
+    let diagonal: Vec<T> = (0..n).map(|d| H[(d, d)]).collect();
+    let (diagonal_ratio, has_zero) = diagonal_ratio(&diagonal, weights, &mut notes);
+    let kappa_weighted = if has_zero {
+        None
     } else {
-        let own: Vec<T> = (0..H.rows()).map(|d| H[(d, d)]).collect();
-        let (min, max) = extremes("λ′min", &eigenvalues(H, &own)?, &mut notes);
-        (ratio(largest, smallest), ratio(max, min))
+        let (min, max) = extremes("λ′min", &eigenvalues(H, &diagonal)?, &mut notes);
+        ratio(max, min)
     };
-    let bracket = diagonal_ratio.zip(kappa_weighted).map(|(r, weighted)| (r, r * weighted));
     Ok(Conditioning {
         lambda_min,
         lambda_max,
-        kappa,
+        kappa: ratio(lambda_max, lambda_min),
         kappa_weighted,
         diagonal_ratio,
-        bracket,
-        spectrum,
+        bracket: bracket(diagonal_ratio, kappa_weighted),
+        error_estimate: [relative(lambda_min), relative(lambda_max)],
+        softest: (n > 0).then(|| vectors.row(0).to_vec()),
+        stiffest: n.checked_sub(1).map(|last| vectors.row(last).to_vec()),
+        eigenvalues: Some(values),
+        weights: weights.to_vec(),
+        method: Method::Dense,
+        passes: None,
         notes,
     })
+}
+
+/// r, and whether a DoF has no inertia at all.
+fn diagonal_ratio<T: Real>(diagonal: &[T], weights: &[T], notes: &mut Vec<String>) -> (Option<T>, bool) {
+    let scaled: Vec<T> = diagonal.iter().zip(weights).map(|(&h, &b)| h / b).collect();
+    let smallest = scaled.iter().copied().reduce(T::min);
+    let largest = scaled.iter().copied().reduce(T::max);
+    if let Some(d) = scaled.iter().position(|&x| x.partial_cmp(&T::ZERO) != Some(Ordering::Greater)) {
+        notes.push(format!(
+            "DoF {d} has no inertia (H_dd = {:e}): κ′ and r do not exist",
+            diagonal[d].to_f64()
+        ));
+        return (None, true);
+    }
+    (ratio(largest, smallest), scaled.is_empty())
+}
+
+fn bracket<T: Real>(diagonal_ratio: Option<T>, kappa_weighted: Option<T>) -> Option<(T, T)> {
+    diagonal_ratio.zip(kappa_weighted).map(|(r, weighted)| (r, r * weighted))
 }
 
 /// First and last of ascending eigenvalues; the first only if it stands clear of rounding.

@@ -51,7 +51,7 @@ pub struct Family {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FamilyError {
     /// No links, or too many.
-    #[error("N = {0:?}: the number of links is a whole number from 1 to {MAX_BODIES}")]
+    #[error("N = {}: the number of links is a whole number from 1 to {MAX_BODIES}", short(.0))]
     Links(f64),
     /// A branching factor below 1 gives links without a parent before them.
     #[error("B = {0}: the branching factor is a number of 1 or more")]
@@ -70,6 +70,11 @@ pub enum FamilyError {
         /// Its value.
         value: f64,
     },
+}
+
+/// A number without three hundred digits.
+fn short(x: &f64) -> String {
+    format!("{x:?}").trim_end_matches(".0").to_owned()
 }
 
 impl Family {

@@ -248,8 +248,10 @@ mod x86 {
                 let biased = _mm256_and_si256(_mm256_srli_epi64::<52>(bits), _mm256_set1_epi64x(0x7ff));
                 // An integer below 2^52 placed in the mantissa of 2^52 is 2^52 + itself.
                 let shifted = _mm256_or_si256(biased, _mm256_set1_epi64x(0x4330_0000_0000_0000));
-                let exponent =
-                    _mm256_sub_pd(_mm256_castsi256_pd(shifted), _mm256_set1_pd(4_503_599_627_370_496.0 + 1023.0));
+                let exponent = _mm256_sub_pd(
+                    _mm256_castsi256_pd(shifted),
+                    _mm256_set1_pd(4_503_599_627_370_496.0 + 1023.0),
+                );
                 (_mm256_castsi256_pd(mantissa), exponent)
             }
         }

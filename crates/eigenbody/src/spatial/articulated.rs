@@ -30,11 +30,8 @@ impl<T: Scalar> ArticulatedInertia<T> {
     pub fn minus_outer(&self, U: Force<T>, s: T) -> Self {
         let (n, f) = (U.ang, U.lin);
         let (ns, fs) = (n * -s, f * -s);
-        let H = Mat3::from_rows(
-            f.mul_add(ns.x, self.H.x),
-            f.mul_add(ns.y, self.H.y),
-            f.mul_add(ns.z, self.H.z),
-        );
+        let H =
+            Mat3::from_rows(f.mul_add(ns.x, self.H.x), f.mul_add(ns.y, self.H.y), f.mul_add(ns.z, self.H.z));
         Self { I: self.I.plus_outer(ns, n), H, M: self.M.plus_outer(fs, f) }
     }
 

@@ -59,6 +59,11 @@ impl Search {
         Self { index, points: Vec::new(), shrink: 0.0 }
     }
 
+    /// Begins from counts that another search has made, by ascending shift.
+    pub fn start(&mut self, points: &[Count]) {
+        self.points = points.to_vec();
+    }
+
     /// Takes note of counts. All eigenvalues of a positive definite pencil lie above σ = 0.
     pub fn learn(&mut self, counts: &[Count]) {
         let before = self.bracket().map(|bracket| bracket.width());
@@ -106,7 +111,9 @@ impl Search {
             }
         } else if self.shrink < 1.0 / 3.0 && bracket.is_isolated() {
             self.around_zero(bracket, shifts);
-        } else if let (true, Some((edge, error))) = (hi / lo < 2.0 && self.shrink < 1.0 / 3.0, self.edge(bracket)) {
+        } else if let (true, Some((edge, error))) =
+            (hi / lo < 2.0 && self.shrink < 1.0 / 3.0, self.edge(bracket))
+        {
             around(edge, error, bracket, shifts);
         } else {
             let steps = shifts.len() as f64 + 1.0;
@@ -122,7 +129,8 @@ impl Search {
         let nodes = self.nodes(bracket);
         let zero = interpolated_zero(&nodes, bracket);
         let coarser = interpolated_zero(&nodes[..nodes.len() - 1], bracket);
-        let error = (2.0 * (zero - coarser).abs()).max(0.5 * WIDTH * bracket.hi.shift).min(0.1 * bracket.width());
+        let error =
+            (2.0 * (zero - coarser).abs()).max(0.5 * WIDTH * bracket.hi.shift).min(0.1 * bracket.width());
         around(zero, error, bracket, shifts);
     }
 

@@ -121,10 +121,10 @@ pub fn extremes(
 
 /// Bounds of both ends, and shifts between them.
 fn first_shifts(pencil: &Pencil<f64>) -> [f64; LANES] {
-    let ratios = pencil.diagonal().into_iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
-    let (min, max, sum) = ratios.fold((f64::INFINITY, 0.0f64, 0.0), |(min, max, sum), r| {
-        (r.min(min), r.max(max), sum + r)
-    });
+    let ratios =
+        pencil.diagonal().into_iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
+    let (min, max, sum) =
+        ratios.fold((f64::INFINITY, 0.0f64, 0.0), |(min, max, sum), r| (r.min(min), r.max(max), sum + r));
     // A little outside, so that rounding in the diagonal does not matter.
     let (inside, outside) = (max * (1.0 - 1e-9), sum * (1.0 + 1e-9));
     let step = |part: f64| inside * (outside / inside).powf(part);

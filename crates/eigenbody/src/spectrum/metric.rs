@@ -40,10 +40,22 @@ impl<T: Real> Metric<T> {
         H: &Matrix<T>,
         is_translation: impl Fn(usize) -> bool,
     ) -> Result<Vec<T>, InputError> {
-        let n = H.rows();
+        let diagonal: Vec<T> = (0..H.rows()).map(|d| H[(d, d)]).collect();
+        self.weights_for(&diagonal, is_translation)
+    }
+
+    /// B_dd of every DoF of a matrix with this diagonal.
+    ///
+    /// Errors: as [`weights`](Self::weights).
+    pub fn weights_for(
+        &self,
+        diagonal: &[T],
+        is_translation: impl Fn(usize) -> bool,
+    ) -> Result<Vec<T>, InputError> {
+        let n = diagonal.len();
         let (what, weights): (_, Vec<T>) = match self {
             Self::Euclidean => ("B", vec![T::ONE; n]),
-            Self::UnitDiagonal => ("diagonal of H", (0..n).map(|d| H[(d, d)]).collect()),
+            Self::UnitDiagonal => ("diagonal of H", diagonal.to_vec()),
             Self::Length(length) => {
                 let translation = T::ONE / (*length * *length);
                 ("B", (0..n).map(|d| if is_translation(d) { translation } else { T::ONE }).collect())

@@ -6,9 +6,11 @@ mod extremes;
 mod metric;
 mod ql;
 mod rayleigh;
+mod slice;
 pub mod sturm;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
 pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
 pub use metric::Metric;
+pub use slice::slice;

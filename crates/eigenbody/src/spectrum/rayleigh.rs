@@ -21,7 +21,8 @@ const ROUNDS: usize = 6;
 pub(super) fn mode(pencil: &Pencil<f64>, shift: f64, factors: &mut Factors<f64>) -> Vec<f64> {
     let B = pencil.metric();
     let mut random = Random::new(0x5eed);
-    let mut x: Vec<f64> = B.iter().map(|&b| if b > 0.0 { random.between(0.5, 1.5) / b.sqrt() } else { 0.0 }).collect();
+    let mut x: Vec<f64> =
+        B.iter().map(|&b| if b > 0.0 { random.between(0.5, 1.5) / b.sqrt() } else { 0.0 }).collect();
     for (d, x) in x.iter_mut().enumerate() {
         if d % 2 == 1 && random.uniform() < 0.5 {
             *x = -*x;

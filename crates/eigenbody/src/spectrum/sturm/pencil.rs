@@ -3,7 +3,7 @@
 use crate::dynamics::{Kinematics, Rerooted, TreeBody};
 use crate::error::InputError;
 use crate::joint::Column;
-use crate::model::Model;
+use crate::model::{Model, check};
 use crate::scalar::Real;
 use crate::spatial::{Motion, RigidInertia, Transform};
 use std::ops::Range;
@@ -67,36 +67,23 @@ impl<T: Real> Pencil<T> {
     ///
     /// Errors: [`InputError`] if q or B does not fit the model, or an entry of B is negative.
     pub fn new(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
-        let kinematics = Self::check(model, q, &B)?;
         let columns = |i: usize| model.bodies()[i].joint().columns();
-        Ok(Self::from_tree(model.bodies(), columns, kinematics, model.armature(), B))
+        let kinematics = Kinematics::at(model, q)?;
+        Self::from_tree(model.bodies(), columns, kinematics, model.armature()).with_metric(B)
     }
 
     /// The pencil of the free-floating H*: six columns with B = 0 on the heaviest body.
     ///
     /// The first six numbers of B are ignored. Errors: as [`new`](Self::new), and [`InputError::NoFloatingBase`].
-    pub fn free_floating(model: &Model<T>, q: &[T], mut B: Vec<T>) -> Result<Self, InputError> {
+    pub fn free_floating(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
         if !model.has_floating_base() {
             return Err(InputError::NoFloatingBase);
         }
-        let kinematics = Self::check(model, q, &B)?;
-        B[..6].fill(T::ZERO);
         let mut tree = Rerooted::new(model);
-        tree.update(model, &kinematics);
+        tree.update(model, &Kinematics::at(model, q)?);
         let columns = |i: usize| tree.columns(model, i);
-        let pencil = Self::from_tree(&tree.bodies, columns, tree.kinematics.clone(), model.armature(), B);
-        Ok(Self { base: Some(tree.place_of_base()), ..pencil })
-    }
-
-    fn check(model: &Model<T>, q: &[T], B: &[T]) -> Result<Kinematics<T>, InputError> {
-        model.check_q(q)?;
-        model.check_v("B", B)?;
-        if let Some(index) = B.iter().position(|&b| b < T::ZERO) {
-            return Err(InputError::NotPositive { what: "B", index, value: B[index].to_f64() });
-        }
-        let mut kinematics = Kinematics::new(model);
-        kinematics.update(model, q);
-        Ok(kinematics)
+        let pencil = Self::from_tree(&tree.bodies, columns, tree.kinematics.clone(), model.armature());
+        Self { base: Some(tree.place_of_base()), ..pencil }.with_metric(B)
     }
 
     fn from_tree<N: TreeBody<T>>(
@@ -104,7 +91,6 @@ impl<T: Real> Pencil<T> {
         columns: impl Fn(usize) -> &'static [Column],
         Kinematics { X_up, S }: Kinematics<T>,
         armature: &[T],
-        B: Vec<T>,
     ) -> Self {
         let mut children = vec![0u32; bodies.len()];
         let mut last_child = vec![0usize; bodies.len()];
@@ -129,7 +115,7 @@ impl<T: Real> Pencil<T> {
             collects: children[i] > 1,
         };
         let nodes = bodies.iter().enumerate().map(node).collect();
-        Self { nodes, S, B, armature: armature.to_vec(), base: None }
+        Self { nodes, S, B: vec![T::ZERO; armature.len()], armature: armature.to_vec(), base: None }
     }
 
     /// Number of eigenvalues: DoFs with B > 0.
@@ -140,6 +126,21 @@ impl<T: Real> Pencil<T> {
     /// True if no DoF takes part.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// The same matrix in another metric, one number a DoF; a removed base keeps B = 0.
+    ///
+    /// Errors: [`InputError`] for a wrong length or an entry that is negative or not finite.
+    pub fn with_metric(mut self, mut B: Vec<T>) -> Result<Self, InputError> {
+        check("B", &B, self.B.len())?;
+        if let Some(index) = B.iter().position(|&b| b < T::ZERO) {
+            return Err(InputError::NotPositive { what: "B", index, value: B[index].to_f64() });
+        }
+        if self.base.is_some() {
+            B[..6].fill(T::ZERO);
+        }
+        self.B = B;
+        Ok(self)
     }
 
     /// Diagonal of B.

@@ -26,10 +26,9 @@ pub(super) fn sweep<T: Scalar, P: Pivots<T>>(
     for (i, node) in nodes.iter().enumerate().rev() {
         let I: RigidInertia<T> = node.I.map(T::constant);
         let mut IA = carried + I.into();
-        if node.collects {
-            if let Some(others) = stack.pop() {
-                IA += others;
-            }
+        if let (true, Some(others)) = (node.collects, stack.last()) {
+            IA += *others;
+            stack.pop();
         }
         pivots.body(i, &IA);
         for (d, &column) in node.dofs().zip(node.columns).rev() {
