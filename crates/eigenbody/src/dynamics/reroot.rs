@@ -59,7 +59,8 @@ impl<T: Scalar> TreeBody<T> for Rebody<T> {
     }
 }
 
-/// A floating tree on another base; the path from the new root first, then all others in their old order.
+/// A floating tree on another base, in pre-order: the path from the new root, then what hangs from the path's end, from the
+/// body before it, and so on back to the root.
 #[derive(Debug, Clone)]
 pub(crate) struct Rerooted<T> {
     /// N: written by [`update`](Self::update).
@@ -82,9 +83,18 @@ impl<T: Real> Rerooted<T> {
         let mut old: Vec<usize> =
             std::iter::successors(Some(heaviest.0), |&i| model.bodies[i].parent()).collect();
         let path = old.len();
-        let mut on_path = vec![false; model.bodies.len()];
-        old.iter().for_each(|&i| on_path[i] = true);
-        old.extend((0..model.bodies.len()).filter(|&i| !on_path[i]));
+        // Place on the path that a body's branch hangs from.
+        let mut branch = vec![usize::MAX; model.bodies.len()];
+        old.iter().enumerate().for_each(|(place, &i)| branch[i] = place);
+        let mut others = Vec::with_capacity(model.bodies.len() - path);
+        for (i, body) in model.bodies.iter().enumerate() {
+            if let (usize::MAX, Some(p)) = (branch[i], body.parent()) {
+                branch[i] = branch[p];
+                others.push(i);
+            }
+        }
+        others.sort_by_key(|&i| std::cmp::Reverse(branch[i]));
+        old.extend(others);
         let mut new = vec![0; old.len()];
         old.iter().enumerate().for_each(|(place, &i)| new[i] = place);
         let empty = Rebody { parent: None, dofs: 0..0, I: RigidInertia::ZERO };
