@@ -25,19 +25,6 @@ impl<T: Scalar> Kinematics<T> {
         Self { X_up: vec![Transform::IDENTITY; model.bodies.len()], S: vec![Motion::ZERO; model.nv()] }
     }
 
-    /// X_up and S at q.
-    ///
-    /// Errors: [`InputError`] if q does not fit the model.
-    pub(crate) fn at(model: &Model<T>, q: &[T]) -> Result<Self, InputError>
-    where
-        T: Real,
-    {
-        model.check_q(q)?;
-        let mut kinematics = Self::new(model);
-        kinematics.update(model, q);
-        Ok(kinematics)
-    }
-
     /// X_up and S at q. The caller has checked q.
     #[inline(always)]
     pub(crate) fn update(&mut self, model: &Model<T>, q: &[T]) {

@@ -63,7 +63,7 @@ impl<T: Scalar> TreeBody<T> for Rebody<T> {
 /// body before it, and so on back to the root.
 #[derive(Debug, Clone)]
 pub(crate) struct Rerooted<T> {
-    /// N: written by [`update`](Self::update).
+    /// N: fixed with the root.
     pub bodies: Vec<Rebody<T>>,
     /// N and nv: as in [`Kinematics`], for the new tree.
     pub kinematics: Kinematics<T>,
@@ -97,30 +97,36 @@ impl<T: Real> Rerooted<T> {
         old.extend(others);
         let mut new = vec![0; old.len()];
         old.iter().enumerate().for_each(|(place, &i)| new[i] = place);
-        let empty = Rebody { parent: None, dofs: 0..0, I: RigidInertia::ZERO };
-        Self { bodies: vec![empty; old.len()], kinematics: Kinematics::new(model), old, new, path }
+        let mut bodies = Vec::with_capacity(old.len());
+        for (place, &i) in old.iter().enumerate() {
+            let body = &model.bodies[i];
+            let (parent, dofs) = match place {
+                0 => (None, model.bodies[0].dofs()),
+                _ if place < path => (Some(place - 1), model.bodies[old[place - 1]].dofs()),
+                _ => (body.parent().map(|p| new[p]), body.dofs()),
+            };
+            bodies.push(Rebody { parent, dofs, I: body.I });
+        }
+        Self { bodies, kinematics: Kinematics::new(model), old, new, path }
     }
 
     /// The new tree at the configuration of `from`. The base's six columns are unit vectors at the new root.
     pub fn update(&mut self, model: &Model<T>, from: &Kinematics<T>) {
-        let Self { bodies, kinematics: Kinematics { X_up, S }, old, new, path } = self;
+        let Self { kinematics: Kinematics { X_up, S }, old, path, .. } = self;
         S.copy_from_slice(&from.S);
         for (place, &i) in old.iter().enumerate() {
-            let body = &model.bodies[i];
-            let (parent, dofs, X) = if place == 0 {
-                (None, model.bodies[0].dofs(), Transform::IDENTITY)
-            } else if place < *path {
-                let reversed = &model.bodies[old[place - 1]];
-                let X = from.X_up[old[place - 1]].inverse();
-                for d in reversed.dofs() {
-                    S[d] = -X.motion(from.S[d]);
+            X_up[place] = match place {
+                0 => Transform::IDENTITY,
+                _ if place < *path => {
+                    let reversed = old[place - 1];
+                    let X = from.X_up[reversed].inverse();
+                    for d in model.bodies[reversed].dofs() {
+                        S[d] = -X.motion(from.S[d]);
+                    }
+                    X
                 }
-                (Some(place - 1), reversed.dofs(), X)
-            } else {
-                (body.parent().map(|p| new[p]), body.dofs(), from.X_up[i])
+                _ => from.X_up[i],
             };
-            X_up[place] = X;
-            bodies[place] = Rebody { parent, dofs, I: body.I };
         }
         for (column, d) in unit_columns().into_iter().zip(model.bodies[0].dofs()) {
             S[d] = column;

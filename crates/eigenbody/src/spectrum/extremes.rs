@@ -119,6 +119,20 @@ pub fn extremes(
     Ok(Extremes { min, max, passes })
 }
 
+/// One eigenvalue by its place, cold; none if it cannot be told from zero.
+pub(super) fn cold(pencil: &Pencil<f64>, index: usize) -> Option<f64> {
+    let mut search = Search::new(index);
+    let mut shifts = first_shifts(pencil);
+    for _ in 0..MAX_PASSES {
+        search.learn(&counts(pencil, shifts));
+        if search.is_settled() {
+            break;
+        }
+        search.offer(&mut shifts);
+    }
+    search.value()
+}
+
 /// Bounds of both ends, and shifts between them.
 fn first_shifts(pencil: &Pencil<f64>) -> [f64; LANES] {
     let ratios =

@@ -8,9 +8,11 @@ mod ql;
 mod rayleigh;
 mod slice;
 pub mod sturm;
+mod tracker;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
 pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
 pub use metric::Metric;
 pub use slice::slice;
+pub use tracker::{Reading, Tracker};

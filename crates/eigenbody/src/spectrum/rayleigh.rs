@@ -55,7 +55,7 @@ pub(super) fn mode(pencil: &Pencil<f64>, shift: f64, factors: &mut Factors<f64>)
 }
 
 /// x / |x|_B; returns the norm. Scaled first: inverse iteration at an eigenvalue makes huge vectors.
-fn normalise(x: &mut [f64], B: &[f64]) -> f64 {
+pub(super) fn normalise(x: &mut [f64], B: &[f64]) -> f64 {
     let scale = x.iter().zip(B).fold(0.0f64, |m, (x, b)| m.max(x.abs() * b.sqrt()));
     if !(scale > 0.0 && scale.is_finite()) {
         return scale;

@@ -9,39 +9,60 @@ use super::pencil::Pencil;
 use crate::scalar::Real;
 use crate::spatial::{Force, RigidInertia, Transform};
 
-pub(super) fn diagonal<T: Real>(pencil: &Pencil<T>) -> Vec<T> {
-    let Pencil { nodes, S, B, armature, .. } = pencil;
-    let mut Ic: Vec<RigidInertia<T>> = nodes.iter().map(|node| node.I).collect();
-    for (i, node) in nodes.iter().enumerate().rev() {
-        if let Some(p) = node.parent() {
-            let carried = node.X_up.transpose_rigid(Ic[i]);
-            Ic[p] += carried;
-        }
-    }
-    let mut H = vec![T::ZERO; S.len()];
-    for (node, Ic) in nodes.iter().zip(&Ic) {
-        for d in node.dofs() {
-            H[d] = S[d].dot(Ic.times(S[d])) + armature[d];
-        }
-    }
-    let has_free_base = nodes.first().is_some_and(|base| base.dofs().all(|d| B[d] == T::ZERO));
-    if has_free_base {
-        remove_base(pencil, &Ic, &mut H);
-    }
-    H
+/// The diagonal, with room for it.
+#[derive(Debug, Clone)]
+pub struct Diagonal<T> {
+    /// N: composite inertias.
+    Ic: Vec<RigidInertia<T>>,
+    /// N: from the base to each body, where the base is removed.
+    from_base: Vec<Transform<T>>,
+    /// nv: H_dd or H*_dd.
+    H: Vec<T>,
 }
 
-fn remove_base<T: Real>(Pencil { nodes, S, .. }: &Pencil<T>, Ic: &[RigidInertia<T>], H: &mut [T]) {
-    let base = Cholesky6::new(&Ic[0]);
-    let mut from_base: Vec<Transform<T>> = Vec::with_capacity(nodes.len());
-    for (i, node) in nodes.iter().enumerate() {
-        let X = node.parent().map_or(Transform::IDENTITY, |p| node.X_up * from_base[p]);
-        if i > 0 {
+impl<T: Real> Diagonal<T> {
+    /// Room for a pencil.
+    pub fn new(pencil: &Pencil<T>) -> Self {
+        let n = pencil.nodes.len();
+        let from_base = if pencil.has_free_base() { vec![Transform::IDENTITY; n] } else { Vec::new() };
+        Self { Ic: vec![RigidInertia::ZERO; n], from_base, H: vec![T::ZERO; pencil.S.len()] }
+    }
+
+    /// The diagonal of the pencil's matrix as it stands, one number a DoF; allocates nothing.
+    pub fn update(&mut self, pencil: &Pencil<T>) -> &[T] {
+        let Pencil { nodes, S, armature, .. } = pencil;
+        let Self { Ic, H, .. } = self;
+        for (Ic, node) in Ic.iter_mut().zip(nodes) {
+            *Ic = node.I;
+        }
+        for (i, node) in nodes.iter().enumerate().rev() {
+            if let Some(p) = node.parent() {
+                let carried = node.X_up.transpose_rigid(Ic[i]);
+                Ic[p] += carried;
+            }
+        }
+        for (node, Ic) in nodes.iter().zip(&*Ic) {
+            for d in node.dofs() {
+                H[d] = S[d].dot(Ic.times(S[d])) + armature[d];
+            }
+        }
+        if pencil.has_free_base() {
+            self.remove_base(pencil);
+        }
+        &self.H
+    }
+
+    fn remove_base(&mut self, Pencil { nodes, S, .. }: &Pencil<T>) {
+        let Self { Ic, from_base, H } = self;
+        let base = Cholesky6::new(&Ic[0]);
+        for (i, node) in nodes.iter().enumerate() {
+            let Some(p) = node.parent() else { continue };
+            let X = node.X_up * from_base[p];
             for d in node.dofs() {
                 H[d] -= base.squared(X.transpose_force(Ic[i].times(S[d])));
             }
+            from_base[i] = X;
         }
-        from_base.push(X);
     }
 }
 

@@ -22,6 +22,7 @@ mod solve;
 mod sweep;
 
 pub use count::{Count, counts};
+pub use diagonal::Diagonal;
 pub(super) use estimate::absolute_error;
 pub use pencil::Pencil;
 pub(super) use solve::Factors;

@@ -1,5 +1,6 @@
 //! The pencil (H(q), B) in the form that sweeps work on: no matrix, only the tree at q.
 
+use super::diagonal::Diagonal;
 use crate::dynamics::{Kinematics, Rerooted, TreeBody};
 use crate::error::InputError;
 use crate::joint::Column;
@@ -19,8 +20,15 @@ pub struct Pencil<T> {
     pub(super) B: Vec<T>,
     /// nv: armature.
     pub(super) armature: Vec<T>,
-    /// The model's own base among the nodes, where it was removed.
-    base: Option<usize>,
+    /// The tree seen from its heaviest body, where the base is removed.
+    rerooted: Option<Box<Seen<T>>>,
+}
+
+/// A tree seen from another body, and the kinematics it is made from.
+#[derive(Debug, Clone)]
+struct Seen<T> {
+    kinematics: Kinematics<T>,
+    tree: Rerooted<T>,
 }
 
 /// A body at q.
@@ -67,9 +75,8 @@ impl<T: Real> Pencil<T> {
     ///
     /// Errors: [`InputError`] if q or B does not fit the model, or an entry of B is negative.
     pub fn new(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
-        let columns = |i: usize| model.bodies()[i].joint().columns();
-        let kinematics = Kinematics::at(model, q)?;
-        Self::from_tree(model.bodies(), columns, kinematics, model.armature()).with_metric(B)
+        let nodes = nodes(model.bodies(), |i| model.bodies()[i].joint().columns());
+        Self::start(model, nodes, None, q, B)
     }
 
     /// The pencil of the free-floating H*: six columns with B = 0 on the heaviest body.
@@ -79,43 +86,64 @@ impl<T: Real> Pencil<T> {
         if !model.has_floating_base() {
             return Err(InputError::NoFloatingBase);
         }
-        let mut tree = Rerooted::new(model);
-        tree.update(model, &Kinematics::at(model, q)?);
-        let columns = |i: usize| tree.columns(model, i);
-        let pencil = Self::from_tree(&tree.bodies, columns, tree.kinematics.clone(), model.armature());
-        Self { base: Some(tree.place_of_base()), ..pencil }.with_metric(B)
+        let tree = Rerooted::new(model);
+        let nodes = nodes(&tree.bodies, |place| tree.columns(model, place));
+        let seen = Seen { kinematics: Kinematics::new(model), tree };
+        Self::start(model, nodes, Some(Box::new(seen)), q, B)
     }
 
-    fn from_tree<N: TreeBody<T>>(
-        bodies: &[N],
-        columns: impl Fn(usize) -> &'static [Column],
-        Kinematics { X_up, S }: Kinematics<T>,
-        armature: &[T],
-    ) -> Self {
-        let mut children = vec![0u32; bodies.len()];
-        let mut last_child = vec![0usize; bodies.len()];
-        for (i, body) in bodies.iter().enumerate() {
-            if let Some(p) = body.parent() {
-                children[p] += 1;
-                last_child[p] = i;
+    fn start(
+        model: &Model<T>,
+        nodes: Vec<Node<T>>,
+        rerooted: Option<Box<Seen<T>>>,
+        q: &[T],
+        B: Vec<T>,
+    ) -> Result<Self, InputError> {
+        let (S, armature) = (vec![Motion::ZERO; model.nv()], model.armature().to_vec());
+        let mut pencil = Self { nodes, S, B: Vec::new(), armature, rerooted };
+        pencil.update(model, q)?;
+        pencil.with_metric(B)
+    }
+
+    /// The same pencil at another q; allocates nothing. A unit-diagonal metric stays the one it was.
+    ///
+    /// Errors: [`InputError`] if q does not fit the model.
+    pub fn update(&mut self, model: &Model<T>, q: &[T]) -> Result<(), InputError> {
+        model.check_q(q)?;
+        let Self { nodes, S, rerooted, .. } = self;
+        match rerooted {
+            None => {
+                for (node, body) in nodes.iter_mut().zip(model.bodies()) {
+                    let X_J = body.joint().kinematics(&q[body.coordinates()], &mut S[body.dofs()]);
+                    node.X_up = X_J * *body.tree_transform();
+                }
+            }
+            Some(seen) => {
+                let Seen { kinematics, tree } = &mut **seen;
+                kinematics.update(model, q);
+                tree.update(model, kinematics);
+                for (node, X_up) in nodes.iter_mut().zip(&tree.kinematics.X_up) {
+                    node.X_up = *X_up;
+                }
+                S.copy_from_slice(&tree.kinematics.S);
             }
         }
-        let node = |(i, body): (usize, &N)| Node {
-            I: body.inertia(),
-            X_up: X_up[i],
-            columns: columns(i),
-            v0: body.dofs().start as u32,
-            parent: body.parent().unwrap_or(0) as u32,
-            route: match body.parent() {
-                None => Route::World,
-                Some(p) if p + 1 == i => Route::Next,
-                Some(p) if last_child[p] == i => Route::Push,
-                Some(_) => Route::Add,
-            },
-            collects: children[i] > 1,
-        };
-        let nodes = bodies.iter().enumerate().map(node).collect();
-        Self { nodes, S, B: vec![T::ZERO; armature.len()], armature: armature.to_vec(), base: None }
+        Ok(())
+    }
+
+    /// The same matrix in another metric, one number a DoF; a removed base keeps B = 0.
+    ///
+    /// Errors: [`InputError`] for a wrong length or an entry that is negative or not finite.
+    pub fn with_metric(mut self, mut B: Vec<T>) -> Result<Self, InputError> {
+        check("B", &B, self.S.len())?;
+        if let Some(index) = B.iter().position(|&b| b < T::ZERO) {
+            return Err(InputError::NotPositive { what: "B", index, value: B[index].to_f64() });
+        }
+        if self.rerooted.is_some() {
+            B[..6].fill(T::ZERO);
+        }
+        self.B = B;
+        Ok(self)
     }
 
     /// Number of eigenvalues: DoFs with B > 0.
@@ -128,35 +156,61 @@ impl<T: Real> Pencil<T> {
         self.len() == 0
     }
 
-    /// The same matrix in another metric, one number a DoF; a removed base keeps B = 0.
-    ///
-    /// Errors: [`InputError`] for a wrong length or an entry that is negative or not finite.
-    pub fn with_metric(mut self, mut B: Vec<T>) -> Result<Self, InputError> {
-        check("B", &B, self.B.len())?;
-        if let Some(index) = B.iter().position(|&b| b < T::ZERO) {
-            return Err(InputError::NotPositive { what: "B", index, value: B[index].to_f64() });
-        }
-        if self.base.is_some() {
-            B[..6].fill(T::ZERO);
-        }
-        self.B = B;
-        Ok(self)
-    }
-
     /// Diagonal of B.
     pub fn metric(&self) -> &[T] {
         &self.B
     }
 
+    /// B = diag(H), from the diagonal as it stands; a removed base keeps B = 0.
+    pub(in crate::spectrum) fn set_metric(&mut self, own: &[T]) {
+        let removed = if self.rerooted.is_some() { 6 } else { 0 };
+        self.B[removed..].copy_from_slice(&own[removed..]);
+    }
+
+    /// True if the base is removed.
+    pub(super) fn has_free_base(&self) -> bool {
+        self.rerooted.is_some()
+    }
+
     /// Where the base was removed, the six numbers of `x` that are the base's: how it moves along, from all bodies' motions.
     pub(in crate::spectrum) fn fill_base(&self, motions: &[Motion<T>], x: &mut [T]) {
-        if let Some(base) = self.base {
-            x[..6].copy_from_slice(&motions[base].to_array());
+        if let Some(seen) = &self.rerooted {
+            x[..6].copy_from_slice(&motions[seen.tree.place_of_base()].to_array());
         }
     }
 
     /// Diagonal of the matrix, B left aside: H_dd from composite inertias, O(N); H*_dd where a base with B = 0 is removed.
     pub fn diagonal(&self) -> Vec<T> {
-        super::diagonal::diagonal(self)
+        Diagonal::new(self).update(self).to_vec()
     }
+}
+
+/// Bodies with their routes; where they stand is not known yet.
+fn nodes<T: Real, N: TreeBody<T>>(
+    bodies: &[N],
+    columns: impl Fn(usize) -> &'static [Column],
+) -> Vec<Node<T>> {
+    let mut children = vec![0u32; bodies.len()];
+    let mut last_child = vec![0usize; bodies.len()];
+    for (i, body) in bodies.iter().enumerate() {
+        if let Some(p) = body.parent() {
+            children[p] += 1;
+            last_child[p] = i;
+        }
+    }
+    let node = |(i, body): (usize, &N)| Node {
+        I: body.inertia(),
+        X_up: Transform::IDENTITY,
+        columns: columns(i),
+        v0: body.dofs().start as u32,
+        parent: body.parent().unwrap_or(0) as u32,
+        route: match body.parent() {
+            None => Route::World,
+            Some(p) if p + 1 == i => Route::Next,
+            Some(p) if last_child[p] == i => Route::Push,
+            Some(_) => Route::Add,
+        },
+        collects: children[i] > 1,
+    };
+    bodies.iter().enumerate().map(node).collect()
 }

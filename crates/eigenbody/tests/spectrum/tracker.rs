@@ -1,0 +1,168 @@
+//! Extremes along motions: exact at every step, at about one factorisation an end, lost ends found again.
+
+use crate::robots::plan;
+use eigenbody::spectrum::sturm::Pencil;
+use eigenbody::spectrum::{Metric, Precision, Reading, Tracker, extremes};
+use eigenbody::{Base, Family, Model, ModelBuilder, forward_dynamics};
+
+/// λmin and λmax without memory.
+fn cold(model: &Model<f64>, q: &[f64], metric: &Metric<f64>, free_floating: bool) -> [f64; 2] {
+    let (unit, removed) = (vec![1.0; model.nv()], if free_floating { 6 } else { 0 });
+    let pencil = match free_floating {
+        true => Pencil::free_floating(model, q, unit).unwrap(),
+        false => Pencil::new(model, q, unit).unwrap(),
+    };
+    let mut B = pencil.diagonal();
+    let weights = metric.weights_for(&B[removed..], |row| model.is_translation(row + removed)).unwrap();
+    B[removed..].copy_from_slice(&weights);
+    let ends = extremes(model, q, &pencil.with_metric(B).unwrap(), Precision::Auto).unwrap();
+    [ends.min.unwrap().value, ends.max.value]
+}
+
+#[track_caller]
+fn assert_agree(readings: [Reading; 2], expected: [f64; 2], at: &str) {
+    for (reading, expected) in readings.iter().zip(expected) {
+        // the residual's square over the gap, and what the cold value itself is known to
+        let error = (reading.value / expected - 1.0).abs();
+        assert!(error <= 1e-12, "{at}: {reading:?}, expected {expected}");
+    }
+}
+
+/// A chain let go from 30 degrees below the horizontal, 1 ms steps.
+fn swing(n: usize, steps: usize, metric: &Metric<f64>) {
+    let chain: Model<f64> = Family::slender_chain(n, 1.0, 1.0).unwrap().model().unwrap();
+    let (mut q, mut v) = (vec![0.0; n], vec![0.0; n]);
+    q[0] = -0.5;
+    let mut tracker = Tracker::new(&chain, &q, metric, false).unwrap();
+    let mut spent = 0;
+    for step in 0..steps {
+        let vdot = forward_dynamics(&chain, &q, &v, &vec![0.0; n]).unwrap();
+        for d in 0..n {
+            v[d] += 1e-3 * vdot[d];
+            q[d] += 1e-3 * v[d];
+        }
+        let readings = tracker.update(&q).unwrap();
+        spent += readings.iter().map(|reading| reading.factorisations).sum::<usize>();
+        if step % (n / 4).max(1) == 0 {
+            assert_agree(readings, cold(&chain, &q, metric, false), &format!("{n} links, step {step}"));
+        }
+    }
+    let mean = spent as f64 / (2 * steps) as f64;
+    assert!(mean <= 1.1, "{n} links: {mean} factorisations a step and end");
+}
+
+#[test]
+fn swinging_chains() {
+    swing(1, 300, &Metric::Euclidean);
+    swing(4, 1000, &Metric::Euclidean);
+    swing(10, 600, &Metric::Euclidean);
+    swing(20, 400, &Metric::UnitDiagonal);
+    swing(100, 200, &Metric::Euclidean);
+}
+
+/// Trees of every joint kind, fixed and floating, full and reduced, moved along a constant velocity.
+#[test]
+fn trees_with_every_joint() {
+    for (seed, base, free_floating) in
+        [(1, Base::Fixed, false), (2, Base::Floating, false), (3, Base::Floating, true)]
+    {
+        let robot: Model<f64> = plan(seed, 15).build(base);
+        let mut q = robot.random(seed);
+        let v: Vec<f64> = (0..robot.nv()).map(|d| 1e-3 * ((d * 7 % 11) as f64 - 5.0) / 5.0).collect();
+        let metric = Metric::Length(0.3);
+        let mut tracker = Tracker::new(&robot, &q, &metric, free_floating).unwrap();
+        for step in 0..200 {
+            q = robot.integrate(&q, &v).unwrap();
+            let readings = tracker.update(&q).unwrap();
+            assert_agree(
+                readings,
+                cold(&robot, &q, &metric, free_floating),
+                &format!("seed {seed}, step {step}"),
+            );
+        }
+    }
+}
+
+/// Two arms on one base share no inertia, so their eigenvalues cross exactly as one folds and the other unfolds. The iteration
+/// stays on its own arm; the count says that this is no longer the end.
+#[test]
+fn a_crossing_is_noticed() {
+    let arms = two_arms();
+    let pose = |s: f64| [0.0, 2.5 * s, 0.0, 2.5 * (1.0 - s)];
+    let mut tracker = Tracker::new(&arms, &pose(0.0), &Metric::Euclidean, false).unwrap();
+    let mut restarts = 0;
+    for step in 1..=400 {
+        let q = pose(f64::from(step) / 400.0);
+        let readings = tracker.update(&q).unwrap();
+        restarts += readings.iter().filter(|reading| reading.restarted).count();
+        assert_agree(readings, cold(&arms, &q, &Metric::Euclidean, false), &format!("step {step}"));
+    }
+    assert!((1..=6).contains(&restarts), "{restarts} restarts");
+}
+
+fn two_arms() -> Model<f64> {
+    use eigenbody::Joint;
+    use eigenbody::model::JointSpec;
+    use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
+    let mut robot = ModelBuilder::new("two arms");
+    let base = robot.link("base", RigidInertia::ZERO);
+    for side in ["left", "right"] {
+        let mut parent = base;
+        for (k, offset) in [0.0, 1.0].into_iter().enumerate() {
+            let rod = RigidInertia::from_com(1.0, Vec3::new(0.5, 0.0, 0.0), Sym3::diagonal(0.01, 0.08, 0.08));
+            let link = robot.link(format!("{side} {k}"), rod);
+            let placement = Transform::translation(Vec3::X * offset);
+            robot.joint(JointSpec::new(format!("{side} {k}"), Joint::Revolute, parent, link).at(placement));
+            parent = link;
+        }
+    }
+    robot.build(Base::Fixed).unwrap()
+}
+
+/// A jump across configuration space: however far, the values are those of the new place.
+#[test]
+fn a_jump_is_survived() {
+    let robot: Model<f64> = Family::hydra(12, 1.5, 0.4, 0.9).unwrap().model().unwrap();
+    let mut tracker = Tracker::new(&robot, &robot.random(1), &Metric::Euclidean, false).unwrap();
+    for seed in 2..60 {
+        let q = robot.random(seed);
+        let readings = tracker.update(&q).unwrap();
+        assert_agree(readings, cold(&robot, &q, &Metric::Euclidean, false), &format!("jump to {seed}"));
+    }
+}
+
+/// In step nothing is allocated, branched trees and moving metrics included.
+#[test]
+fn updates_allocate_nothing() {
+    let robot: Model<f64> = Family::hydra(30, 1.5, 0.4, 1.0).unwrap().floating().model().unwrap();
+    for metric in [Metric::Euclidean, Metric::UnitDiagonal] {
+        let mut q = robot.neutral();
+        let mut tracker = Tracker::new(&robot, &q, &metric, true).unwrap();
+        for step in 0..5 {
+            q[7] += 1e-4;
+            let mut restarted = true;
+            let counted = allocation_counter::measure(|| {
+                restarted = tracker.update(&q).unwrap().iter().any(|reading| reading.restarted);
+            });
+            assert!(!restarted);
+            // The first step makes room for the branches that wait.
+            assert!(
+                step == 0 || counted.count_total == 0,
+                "step {step}: {} allocations",
+                counted.count_total
+            );
+        }
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let robot: Model<f64> = Family::hydra(3, 1.0, 0.0, 1.0).unwrap().model().unwrap();
+    assert!(Tracker::new(&robot, &[0.0; 2], &Metric::Euclidean, false).is_err());
+    assert!(Tracker::new(&robot, &[0.0; 3], &Metric::Euclidean, true).is_err());
+    assert!(Tracker::new(&robot, &[0.0; 3], &Metric::Diagonal(vec![1.0; 2]), false).is_err());
+    let mut tracker = Tracker::new(&robot, &[0.0; 3], &Metric::Euclidean, false).unwrap();
+    assert!(tracker.update(&[f64::NAN, 0.0, 0.0]).is_err());
+    // and goes on from where it was
+    assert!(!tracker.update(&[1e-4, 0.0, 0.0]).unwrap()[0].restarted);
+}
