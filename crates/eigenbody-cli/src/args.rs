@@ -2,6 +2,7 @@
 
 use clap::{Parser, Subcommand, ValueEnum};
 use eigenbody::Method;
+use eigenbody::scalar::Dd;
 use eigenbody::spectrum::Precision;
 use std::path::PathBuf;
 
@@ -51,7 +52,7 @@ pub struct RobotArgs {
 
     /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
     #[arg(long, value_name = "R")]
-    pub size_ratio: Option<f64>,
+    pub size_ratio: Option<Dd>,
 }
 
 /// `eigenbody spectrum`.

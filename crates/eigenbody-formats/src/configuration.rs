@@ -151,7 +151,7 @@ impl<'a> Configuration<'a> {
         }
         let offset = reader.offset();
         let values = match reader.value()? {
-            Value::Number(value) => vec![value],
+            Value::Number(value) => vec![value.hi()],
             Value::List(list) => list.iter().map(|number| number.value).collect(),
         };
         if values.len() != count {

@@ -4,6 +4,7 @@ use crate::error::FormatError;
 use crate::expression::{Argument, Call, ExpressionError, Value, call};
 use eigenbody::Family;
 use eigenbody::family::FamilyError;
+use eigenbody::scalar::{Dd, Scalar};
 
 /// How a family is named: its parameters, each with other names for it, and what those left out are. N cannot be.
 struct Signature {
@@ -34,7 +35,7 @@ pub(crate) fn usage(name: &str) -> Option<String> {
 }
 
 /// The family that a text names; none if it is no call of one. A size ratio R replaces ρ by R^(1/(N−1)).
-pub(crate) fn read(text: &str, size_ratio: Option<f64>) -> Result<Option<Family>, FormatError> {
+pub(crate) fn read(text: &str, size_ratio: Option<Dd>) -> Result<Option<Family>, FormatError> {
     let name = text.split_once('(').map(|(name, _)| name.trim());
     let Some(signature) = SIGNATURES.iter().find(|signature| Some(signature.name) == name) else {
         return Ok(None);
@@ -51,7 +52,7 @@ pub(crate) fn read(text: &str, size_ratio: Option<f64>) -> Result<Option<Family>
             "a size ratio is for the families with a taper: hydra, onion, auto_tree".into(),
         ));
     }
-    if parameters.offsets[TAPER].is_some() && parameters.values[TAPER] != 1.0 {
+    if parameters.offsets[TAPER].is_some() && parameters.values[TAPER] != Dd::ONE {
         return Err(unsuitable("a size ratio sets the taper ρ, which has a value already".into()));
     }
     let refused = |_| unsuitable(format!("size ratio {ratio}: expected a positive number"));
@@ -60,7 +61,7 @@ pub(crate) fn read(text: &str, size_ratio: Option<f64>) -> Result<Option<Family>
 
 /// The parameters of a call, and where each stands if it was given.
 struct Parameters {
-    values: [f64; 4],
+    values: [Dd; 4],
     offsets: [Option<usize>; 4],
 }
 
@@ -71,7 +72,7 @@ impl Signature {
     }
 
     fn parameters(&self, text: &str, call: &Call<'_>) -> Result<Parameters, ExpressionError> {
-        let mut parameters = Parameters { values: self.defaults, offsets: [None; 4] };
+        let mut parameters = Parameters { values: self.defaults.map(Dd::from), offsets: [None; 4] };
         let mut unnamed = 0..self.parameters.len();
         for argument in &call.arguments {
             let error = |message: String| ExpressionError::new(text, argument.offset, message);
@@ -108,16 +109,17 @@ impl Signature {
 
 impl Parameters {
     fn family(&self, name: &str) -> Result<Family, FamilyError> {
-        let [links, b, c, d] = self.values;
+        let [links, b, c, _] = self.values.map(Dd::hi);
+        let taper = self.values[TAPER];
         // A conversion saturates; what it does not keep is no whole number of links, or too large a one.
         let n = links as usize;
         if n as f64 != links {
             return Err(FamilyError::Links(links));
         }
         match name {
-            "hydra" => Family::hydra(n, b, c, d),
-            "onion" => Family::onion(n, b, c, d),
-            "auto_tree" => Family::auto_tree(n, b, c, d),
+            "hydra" => Family::hydra(n, b, c, taper),
+            "onion" => Family::onion(n, b, c, taper),
+            "auto_tree" => Family::auto_tree(n, b, c, taper),
             _ => Family::slender_chain(n, b, c),
         }
     }

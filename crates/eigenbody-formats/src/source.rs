@@ -6,6 +6,7 @@ use crate::loaded::{Kind, Loaded, Places};
 use crate::suggest::did_you_mean;
 use crate::urdf::{UrdfOptions, read_urdf};
 use eigenbody::Base;
+use eigenbody::scalar::Dd;
 use std::path::Path;
 
 /// How to make a model of a text.
@@ -14,7 +15,7 @@ pub struct LoadOptions {
     /// What the root link is fastened to. On a family, floating removes the first joint.
     pub base: Base,
     /// Size of the last link of a hydra, onion or auto_tree against the first: ρ = R^(1/(N−1)).
-    pub size_ratio: Option<f64>,
+    pub size_ratio: Option<Dd>,
 }
 
 const PUMA560: &str = "puma560";

@@ -1,5 +1,6 @@
 //! What a model's text can be.
 
+use eigenbody::scalar::Dd;
 use eigenbody::{Base, Family, Posture, mass_matrix};
 use eigenbody_formats::{Kind, LoadOptions, load};
 use insta::assert_snapshot;
@@ -27,7 +28,10 @@ fn file_error(name: &str) -> String {
 #[test]
 fn family_expressions_are_the_families() {
     let cases = [
-        ("hydra(7, 1.5, pi/4, 0.9)", Family::hydra(7, 1.5, std::f64::consts::FRAC_PI_4, 0.9)),
+        (
+            "hydra(7, 1.5, pi/4, 0.9)",
+            Family::hydra(7, 1.5, std::f64::consts::FRAC_PI_4, "0.9".parse::<Dd>().unwrap()),
+        ),
         ("hydra(7)", Family::hydra(7, 1.0, 0.0, 1.0)),
         ("onion( 5,2 )", Family::onion(5, 2.0, 0.0, 1.0)),
         ("onion(5, rho=0.5, alpha=1)", Family::onion(5, 1.0, 1.0, 0.5)),
@@ -54,15 +58,15 @@ fn a_floating_family_has_no_first_joint() {
 
 #[test]
 fn a_size_ratio_sets_the_taper() {
-    let options = LoadOptions { size_ratio: Some(100.0), ..Default::default() };
+    let options = LoadOptions { size_ratio: Some(100.0.into()), ..Default::default() };
     let expected = Family::hydra(5, 1.0, 0.0, 1.0).unwrap().with_size_ratio(100.0).unwrap();
     assert_eq!(load("hydra(5, 1, 0, 1)", &options).unwrap().kind, Kind::Family(expected));
     assert_snapshot!(error_with("hydra(5, 1, 0, 0.9)", options), @"hydra(5, 1, 0, 0.9): a size ratio sets the taper ρ, which has a value already");
     assert_snapshot!(error_with("chain(5)", options), @"chain(5): a size ratio is for the families with a taper: hydra, onion, auto_tree");
     assert_snapshot!(error_with("puma560", options), @"puma560: a size ratio is for the families hydra, onion and auto_tree");
     assert_snapshot!(error_with("robot.urdf", options), @"robot.urdf: a size ratio is for the families hydra, onion and auto_tree");
-    assert_snapshot!(error_with("onion(5)", LoadOptions { size_ratio: Some(-1.0), ..options }), @"onion(5): size ratio -1: expected a positive number");
-    assert_snapshot!(error_with("onion(5)", LoadOptions { size_ratio: Some(f64::NAN), ..options }), @"onion(5): size ratio NaN: expected a positive number");
+    assert_snapshot!(error_with("onion(5)", LoadOptions { size_ratio: Some((-1.0).into()), ..options }), @"onion(5): size ratio -1: expected a positive number");
+    assert_snapshot!(error_with("onion(5)", LoadOptions { size_ratio: Some(f64::NAN.into()), ..options }), @"onion(5): size ratio NaN: expected a positive number");
 }
 
 #[test]

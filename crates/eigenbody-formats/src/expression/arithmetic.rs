@@ -1,13 +1,19 @@
-//! Sums, products and numbers.
+//! Sums, products and numbers, in double-double: a decimal stands for itself, not for the nearest f64.
 
 use super::{ExpressionError, Reader};
+use eigenbody::scalar::{Dd, Real};
 
 /// How deep parentheses may nest.
 const MAX_DEPTH: usize = 64;
 
 impl Reader<'_> {
-    /// A sum.
+    /// A sum, rounded.
     pub fn number(&mut self) -> Result<f64, ExpressionError> {
+        self.sum().map(Dd::hi)
+    }
+
+    /// A sum.
+    pub fn sum(&mut self) -> Result<Dd, ExpressionError> {
         let mut value = self.product()?;
         loop {
             let operator = self.offset();
@@ -20,7 +26,7 @@ impl Reader<'_> {
         }
     }
 
-    fn product(&mut self) -> Result<f64, ExpressionError> {
+    fn product(&mut self) -> Result<Dd, ExpressionError> {
         let mut value = self.factor()?;
         loop {
             let operator = self.offset();
@@ -33,7 +39,7 @@ impl Reader<'_> {
         }
     }
 
-    fn factor(&mut self) -> Result<f64, ExpressionError> {
+    fn factor(&mut self) -> Result<Dd, ExpressionError> {
         let mut negative = false;
         while self.rest().starts_with(['+', '-']) {
             negative ^= self.rest().starts_with('-');
@@ -44,20 +50,20 @@ impl Reader<'_> {
             if self.depth > MAX_DEPTH {
                 return Err(self.error(self.at - 1, format!("more than {MAX_DEPTH} nested parentheses")));
             }
-            let value = self.number()?;
+            let value = self.sum()?;
             self.expect(')')?;
             self.depth -= 1;
             value
         } else if let word @ ("pi" | "π") = self.word() {
             self.at += word.len();
-            std::f64::consts::PI
+            Dd::PI
         } else {
             self.literal()?
         };
         Ok(if negative { -value } else { value })
     }
 
-    fn literal(&mut self) -> Result<f64, ExpressionError> {
+    fn literal(&mut self) -> Result<Dd, ExpressionError> {
         let rest = self.rest();
         let digits = |from: usize| rest[from..].bytes().take_while(u8::is_ascii_digit).count();
         let whole = digits(0);
@@ -81,10 +87,10 @@ impl Reader<'_> {
         let start = self.at;
         self.at += end;
         // Only an overflow is left to go wrong.
-        self.finite(rest[..end].parse().unwrap_or(f64::INFINITY), start)
+        self.finite(rest[..end].parse().unwrap_or(Dd::from(f64::INFINITY)), start)
     }
 
-    fn finite(&self, value: f64, offset: usize) -> Result<f64, ExpressionError> {
+    fn finite(&self, value: Dd, offset: usize) -> Result<Dd, ExpressionError> {
         match value.is_finite() {
             true => Ok(value),
             false => Err(self.error(offset, "the value is not a finite number")),

@@ -46,7 +46,7 @@ impl<'a> Reader<'a> {
     pub fn value(&mut self) -> Result<Value, ExpressionError> {
         match self.rest().starts_with('[') {
             true => Ok(Value::List(self.list()?)),
-            false => Ok(Value::Number(self.number()?)),
+            false => Ok(Value::Number(self.sum()?)),
         }
     }
 

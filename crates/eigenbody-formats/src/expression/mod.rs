@@ -13,6 +13,7 @@ mod arithmetic;
 mod call;
 
 use crate::error::shortened;
+use eigenbody::scalar::Dd;
 use thiserror::Error;
 
 /// Something at one column of an expression.
@@ -48,7 +49,7 @@ pub struct Number {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// One number.
-    Number(f64),
+    Number(Dd),
     /// Several, in brackets.
     List(Vec<Number>),
 }
@@ -77,7 +78,7 @@ pub struct Call<'a> {
 ///
 /// ```
 /// use eigenbody_formats::expression::number;
-/// assert_eq!(number("-2*(pi - .5e1)/4")?, -2.0 * (std::f64::consts::PI - 5.0) / 4.0);
+/// assert_eq!(number("-(pi - .5e1)/4")?, -(std::f64::consts::PI - 5.0) / 4.0);
 /// # Ok::<(), eigenbody_formats::ExpressionError>(())
 /// ```
 pub fn number(text: &str) -> Result<f64, ExpressionError> {
@@ -93,8 +94,8 @@ pub fn number(text: &str) -> Result<f64, ExpressionError> {
 /// use eigenbody_formats::expression::{Value, call};
 /// let chain = call("chain(4, m=2.2)")?;
 /// assert_eq!((chain.name, chain.arguments[1].key), ("chain", Some("m")));
-/// assert_eq!(chain.arguments[1].value, Value::Number(2.2));
-/// # Ok::<(), eigenbody_formats::ExpressionError>(())
+/// assert_eq!(chain.arguments[1].value, Value::Number("2.2".parse()?));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn call(text: &str) -> Result<Call<'_>, ExpressionError> {
     let mut reader = Reader::new(text);

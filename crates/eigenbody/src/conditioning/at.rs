@@ -6,7 +6,7 @@ use crate::error::{Error, InputError};
 use crate::model::Model;
 use crate::scalar::LANES;
 use crate::spectrum::sturm::{Pencil, counts};
-use crate::spectrum::{Extremes, Metric, Precision, extremes, slice};
+use crate::spectrum::{Extremes, Metric, Precision, extreme_values, extremes, slice};
 
 /// Up to so many degrees of freedom the dense method is the faster one.
 const CROSSOVER: usize = 32;
@@ -101,13 +101,16 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
     let kappa_weighted = if has_zero {
         None
     } else {
-        let ends = extremes(model, q, &pencil.with_metric(own)?, question.precision)?;
-        match ends.min {
-            Ok(min) => Some(ends.max.value / min.value),
-            Err(unresolved) => {
+        let own = pencil.with_metric(own)?;
+        if min.as_ref().is_ok_and(|min| min.counted_error <= GOOD) {
+            let (min, max) = extreme_values(&own);
+            ratio(Some(max), min)
+        } else {
+            let ends = extremes(model, q, &own, question.precision)?;
+            if let Err(unresolved) = &ends.min {
                 notes.push(format!("λ′min is not resolved: it lies below {:.1e}", unresolved.below));
-                None
             }
+            ratio(Some(ends.max.value), ends.min.ok().map(|min| min.value))
         }
     };
     if let Err(unresolved) = &min {

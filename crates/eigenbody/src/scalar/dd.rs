@@ -63,6 +63,9 @@ fn two_prod(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Dd {
+    /// π.
+    pub const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.2246467991473532e-16 };
+
     /// The sum of two f64, exactly.
     #[inline(always)]
     pub fn from_sum(a: f64, b: f64) -> Self {
@@ -290,6 +293,13 @@ impl Real for Dd {
     #[inline(always)]
     fn from_dd(x: Dd) -> Self {
         x
+    }
+}
+
+/// The nearest f64's digits.
+impl fmt::Display for Dd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.hi.fmt(f)
     }
 }
 

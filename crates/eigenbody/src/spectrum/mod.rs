@@ -12,7 +12,7 @@ mod tracker;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
-pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
+pub use extremes::{Extreme, Extremes, Precision, Unresolved, extreme_values, extremes};
 pub use metric::Metric;
 pub use slice::slice;
 pub use tracker::{Reading, Tracker};
