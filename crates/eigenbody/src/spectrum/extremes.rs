@@ -176,9 +176,10 @@ impl Ending<'_> {
     fn finish(&mut self, value: f64) -> Extreme {
         let Self { model, q, pencil, precision, factors } = self;
         let mut vector = mode(pencil, value, factors);
+        // Half the width of the last bracket, and rounding.
+        let error = f64::EPSILON * value + absolute_error(pencil, value, factors.motions(), &vector);
+        let estimate = error / value;
         pencil.fill_base(factors.motions(), &mut vector);
-        let error = absolute_error(pencil, value, factors.motions());
-        let estimate = (error / value).max(f64::EPSILON);
         let refine = match precision {
             Precision::F64 => false,
             Precision::Auto => estimate > WELL_KNOWN,
@@ -197,7 +198,7 @@ impl Ending<'_> {
 
     /// How far rounding reaches where counts are positive at zero.
     fn resolution(&mut self) -> f64 {
-        mode(self.pencil, 0.0, self.factors);
-        absolute_error(self.pencil, 0.0, self.factors.motions())
+        let x = mode(self.pencil, 0.0, self.factors);
+        absolute_error(self.pencil, 0.0, self.factors.motions(), &x)
     }
 }
