@@ -43,7 +43,7 @@ fn floating_family() {
     let report = json(&["spectrum", "hydra(3,1,0,10)", "--at", "zag(pi/2)", "--base", "floating", "--json"]);
     assert_eq!((report["dofs"].as_u64(), report["base"].as_str()), (Some(2), Some("free-floating")));
     let kappa = report["kappa"].as_f64().unwrap();
-    // The softest mode is the small base's own: from the heaviest body nothing cancels.
+    // The softest mode is the small base's own: from the central body nothing cancels.
     assert!((kappa / 100_222.262_767_586_15 - 1.0).abs() < 10.0 * f64::EPSILON, "{kappa}");
 }
 

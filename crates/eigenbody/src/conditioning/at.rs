@@ -77,6 +77,8 @@ pub fn conditioning_at(
                 _ => sturm(model, q, question),
             }
         }
+        // A robot that cannot move has an empty matrix: nothing to sweep.
+        Method::Sturm if question.reduction.dofs(model).is_empty() => dense(model, q, question),
         Method::Sturm | Method::Auto => sturm(model, q, question),
     }
 }
@@ -114,10 +116,12 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
         }
     };
     if let Err(unresolved) = &min {
-        let below = unresolved.below;
-        notes.push(format!(
-            "λmin is not resolved: it lies below {below:.1e}; H is singular to working precision"
-        ));
+        notes.push(match unresolved.below {
+            0.0 => "λmin is zero: a motion moves no mass; H is singular".into(),
+            below => {
+                format!("λmin is not resolved: it lies below {below:.1e}; H is singular to working precision")
+            }
+        });
     }
     let min = min.ok();
     let lambda_min = min.as_ref().map(|min| min.value);

@@ -4,7 +4,7 @@
 //! H = [H_bb H_bj; H_jb H_jj]       H* = H_jj − H_jb H_bb⁻¹ H_bj
 //! ```
 //! Featherstone (2004), §4.6. H* does not depend on which body is called the base, but the difference cancels where the base is
-//! light against what it carries: it is taken from the heaviest body. H_bb is eliminated column by column.
+//! light against what it carries: it is taken from the central body. H_bb is eliminated column by column.
 
 use super::crba::crba;
 use super::kinematics::Kinematics;
@@ -22,12 +22,12 @@ pub(super) const BASE: usize = 6;
 /// Room for [`floating_mass_matrix_into`].
 #[derive(Debug, Clone)]
 pub struct FloatingWorkspace<T> {
-    /// The tree at q as the model has it, and as seen from the heaviest body.
+    /// The tree at q as the model has it, and as seen from the central body.
     kinematics: Kinematics<T>,
     tree: Rerooted<T>,
     /// N: composite inertias of the second tree.
     Ic: Vec<RigidInertia<T>>,
-    /// nv × nv: H on the heaviest body, then partly eliminated.
+    /// nv × nv: H on the central body, then partly eliminated.
     H: Matrix<T>,
 }
 
@@ -48,7 +48,7 @@ impl<T: Real> FloatingWorkspace<T> {
         })
     }
 
-    /// H with the heaviest body as the base: the joints' part is the model's own.
+    /// H with the central body as the base: the joints' part is the model's own.
     fn mass_matrix(&mut self, model: &Model<T>, q: &[T]) -> Result<(), InputError> {
         model.check_q(q)?;
         let Self { kinematics, tree, Ic, H } = self;
@@ -66,7 +66,7 @@ impl<T: Real> FloatingWorkspace<T> {
 /// | `q` | `nq`, the base's pose included (H* does not depend on it) | rad, m, unit quaternion |
 /// | H* (returned) | (`nv` − 6) × (`nv` − 6) | kg m², kg m, kg |
 ///
-/// Method: composite rigid bodies on the tree seen from its heaviest body, then the Schur complement of the base. O(nv²);
+/// Method: composite rigid bodies on the tree seen from its central body, then the Schur complement of the base. O(nv²);
 /// allocates. Numerics: every entry to a few ε of √(H_dd H_ee) on that base.
 ///
 /// Errors: [`InputError`] if q does not fit, the base is fixed, or nv is too large; [`NotPositiveDefinite`] if the whole

@@ -9,7 +9,7 @@
 
 use super::kinematics::Kinematics;
 use crate::joint::{Column, Joint};
-use crate::model::Model;
+use crate::model::{Body, Model};
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Motion, RigidInertia, Transform};
 use std::ops::Range;
@@ -75,13 +75,11 @@ pub(crate) struct Rerooted<T> {
 }
 
 impl<T: Real> Rerooted<T> {
-    /// Room for a model with a floating base, seen from its heaviest body.
+    /// Room for a model with a floating base, seen from its central body.
     pub fn new(model: &Model<T>) -> Self {
-        let masses = model.bodies.iter().map(|body| body.I.m.to_f64());
-        let heaviest =
-            masses.enumerate().fold((0, 0.0), |best, (i, m)| if m > best.1 { (i, m) } else { best });
+        let central = central_body(model);
         let mut old: Vec<usize> =
-            std::iter::successors(Some(heaviest.0), |&i| model.bodies[i].parent()).collect();
+            std::iter::successors(Some(central), |&i| model.bodies[i].parent()).collect();
         let path = old.len();
         // Place on the path that a body's branch hangs from.
         let mut branch = vec![usize::MAX; model.bodies.len()];
@@ -146,6 +144,30 @@ impl<T: Real> Rerooted<T> {
             _ => model.bodies[self.old[place]].joint.columns(),
         }
     }
+}
+
+/// The body from which no branch carries more than half of the robot: then every joint is felt from its lighter side.
+///
+/// Bodies are weighed by what resists turning and moving at the scale of the whole: tr I + m R², I about the body's centre of mass,
+/// m R² = Σ tr I over all bodies.
+fn central_body<T: Real>(model: &Model<T>) -> usize {
+    let own = |body: &Body<T>| {
+        let (m, h, I) = (body.I.m.to_f64(), body.I.h.map(T::to_f64), body.I.I.map(T::to_f64));
+        let about_origin = I.xx + I.yy + I.zz;
+        let shift = if m > 0.0 { 2.0 * h.dot(h) / m } else { 0.0 };
+        (m, (about_origin - shift).max(0.0))
+    };
+    let (mass, inertia) = model.bodies.iter().map(own).fold((0.0, 0.0), |(m, I), (dm, dI)| (m + dm, I + dI));
+    let R2 = if mass > 0.0 { inertia / mass } else { 0.0 };
+    let mut weight: Vec<f64> = model.bodies.iter().map(own).map(|(m, I)| I + m * R2).collect();
+    for i in (0..weight.len()).rev() {
+        if let Some(p) = model.bodies[i].parent() {
+            weight[p] += weight[i];
+        }
+    }
+    // In pre-order the last body whose subtree weighs more than half lies at the end of the only such path.
+    let half = 0.5 * weight.first().copied().unwrap_or(0.0);
+    weight.iter().rposition(|&w| w > half).unwrap_or(0)
 }
 
 fn unit_columns<T: Scalar>() -> [Motion<T>; 6] {

@@ -20,7 +20,7 @@ pub struct Pencil<T> {
     pub(super) B: Vec<T>,
     /// nv: armature.
     pub(super) armature: Vec<T>,
-    /// The tree seen from its heaviest body, where the base is removed.
+    /// The tree seen from its central body, where the base is removed.
     rerooted: Option<Box<Seen<T>>>,
 }
 
@@ -79,7 +79,7 @@ impl<T: Real> Pencil<T> {
         Self::start(model, nodes, None, q, B)
     }
 
-    /// The pencil of the free-floating H*: six columns with B = 0 on the heaviest body.
+    /// The pencil of the free-floating H*: six columns with B = 0 on the central body.
     ///
     /// The first six numbers of B are ignored. Errors: as [`new`](Self::new), and [`InputError::NoFloatingBase`].
     pub fn free_floating(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
