@@ -80,6 +80,7 @@ fn families() {
 fn options() {
     assert_snapshot!(failure(&["spectrum", "puma560", "--metric", "length=-1"]), @"error: length=-1, column 8: length -1 m, expected a positive number");
     assert_snapshot!(failure(&["spectrum", "puma560", "--metric", "diagonal=[1,2]"]), @"error: puma560: B has 2 numbers, expected 6");
+    assert_snapshot!(failure(&["spectrum", "puma560", "--count-below", "inf"]), @"error: --count-below inf: expected a finite number");
     assert_snapshot!(failure(&["spectrum", "puma560", "--reduced"]), @"error: --reduced removes a floating base: add --base floating");
     assert_snapshot!(failure(&["matrix", "puma560", "--csv", "-o", "/no/such/folder/h.csv"]), @"error: /no/such/folder/h.csv: no folder '/no/such/folder'");
 }

@@ -98,8 +98,8 @@ hydra(4,1,0,1)
   κ     1061.15           λmax/λmin, euclidean metric: for gains and time steps
   κ'    512.976           digits left in a solve: 13 of 15 in f64, 4 of 7 in f32
   r     63.7758           bracket: 63.8 ≤ κ ≤ 32715
-  λmin  0.0305649 kg m²   inertia of the softest motion, ± 1e-15
-  λmax  32.4338 kg m²     inertia of the stiffest motion, ± 3e-16
+  λmin  0.0305649 kg m²   inertia of the softest motion, ± 3e-15
+  λmax  32.4338 kg m²     inertia of the stiffest motion, ± 2e-15
 
   softest mode, λ = 0.03056            stiffest mode, λ = 32.43
   joint_4 +  42.4% ███████             joint_1 +  65.2% ██████████
@@ -114,4 +114,55 @@ fn the_command_alone_reports_on_the_built_in_arm() {
     let page = stdout(&[]);
     assert!(page.starts_with("puma560\n"), "{page}");
     assert!(page.contains("1275 to 1399") && page.contains("Try next:"));
+}
+
+/// Both methods answer alike, and say which they are and how well they know.
+#[test]
+fn methods_agree() {
+    let ask = |method: &str| {
+        json(&["spectrum", "hydra(40,1,0.5,1)", "--at", "curl(0.1)", "--json", "--method", method])
+    };
+    let (dense, sturm) = (ask("dense"), ask("sturm"));
+    assert_eq!((dense["method"].as_str(), sturm["method"].as_str()), (Some("dense"), Some("sturm")));
+    assert!(dense["passes"].is_null() && sturm["passes"].as_u64().unwrap() <= 20);
+    for key in ["lambda_min", "lambda_max"] {
+        let estimate = |report: &serde_json::Value| report["error_estimate"][key].as_f64().unwrap();
+        let ratio = dense[key].as_f64().unwrap() / sturm[key].as_f64().unwrap();
+        assert!((ratio - 1.0).abs() <= estimate(&dense) + estimate(&sturm), "{key}: {ratio}");
+        assert!(estimate(&sturm) < 1e-13);
+    }
+}
+
+/// Beyond what a dense matrix can hold, and beyond 1/ε.
+#[test]
+fn long_chains_keep_their_digits() {
+    let report = json(&["spectrum", "hydra(30000,1,0,1)", "--json"]);
+    let kappa = report["kappa"].as_f64().unwrap();
+    // λmin → 0.0211458 and κ/(4N⁴) → 0.9563 for long chains
+    assert!((report["lambda_min"].as_f64().unwrap() - 0.021_145_8).abs() < 1e-7);
+    assert!((kappa / (4.0 * 3e4f64.powi(4)) - 0.9563).abs() < 1e-3, "{kappa}");
+    // onion: λ₁ = 1/(4 sin²(π/(4N+2)))
+    let report = json(&["spectrum", "onion(30000,1,0,1)", "--json"]);
+    let expected = 1.0 / (4.0 * (std::f64::consts::PI / 120_002.0).sin().powi(2));
+    assert!((report["lambda_max"].as_f64().unwrap() / expected - 1.0).abs() < 1e-12);
+}
+
+/// A decimal stands for itself: with ρ rounded to f64 first, λmin of this robot is off by 6e-15 (its κ is 1.5e15).
+#[test]
+fn decimals_are_exact() {
+    let report = json(&["spectrum", "hydra(19,1,0,0.7)", "--json"]);
+    let ratio = report["lambda_min"].as_f64().unwrap() / 1.401_711_565_360_296_7e-15;
+    assert!((ratio - 1.0).abs() <= 4.0 * f64::EPSILON, "{ratio}");
+}
+
+#[test]
+fn eigenvalues_are_counted() {
+    let report = json(&["spectrum", "onion(5,1,0,1)", "--json", "--all", "--count-below", "1"]);
+    assert_eq!(report["count_below"], serde_json::json!({ "sigma": 1.0, "count": 3 }));
+    assert_eq!(
+        report["eigenvalues"].as_array().unwrap().iter().filter(|x| x.as_f64().unwrap() < 1.0).count(),
+        3
+    );
+    let page = stdout(&["spectrum", "onion(5,1,0,1)", "--count-below", "1e300"]);
+    assert!(page.contains("5 of 5 eigenvalues lie below"), "{page}");
 }

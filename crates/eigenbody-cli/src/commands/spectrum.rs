@@ -10,6 +10,9 @@ use eigenbody_report::{CountReport, SpectrumReport};
 /// Prints κ and what belongs to it.
 pub fn run(args: &SpectrumArgs) -> Result<(), Failure> {
     let metric = eigenbody_formats::metric(&args.metric)?;
+    if let Some(sigma) = args.count_below.filter(|sigma| !sigma.is_finite()) {
+        return Err(Failure::Usage(format!("--count-below {sigma}: expected a finite number")));
+    }
     let system = System::open(&args.robot)?;
     let report = report(&system, metric, args)?;
     let path = args.output.as_deref();
