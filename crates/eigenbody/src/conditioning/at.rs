@@ -102,6 +102,8 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
     let (diagonal_ratio, has_zero) = diagonal_ratio(&diagonal, &weights, &mut notes);
     let kappa_weighted = if has_zero {
         None
+    } else if question.metric == Metric::UnitDiagonal {
+        ratio(Some(max.value), min.as_ref().ok().map(|min| min.value))
     } else {
         let own = pencil.with_metric(own)?;
         if min.as_ref().is_ok_and(|min| min.counted_error <= GOOD) {

@@ -161,8 +161,9 @@ impl Family {
         let mut sizes = Vec::with_capacity(self.n + 1);
         let skew = Mat3::rotation_about(Vec3::X, T::from_f64(self.skew).sin_cos());
         let mut size = Dd::ONE;
+        let mut inertia = self.inertia(size);
         for i in 1..=self.n {
-            let link = robot.link(format!("link_{i}"), self.inertia(size));
+            let link = robot.link(format!("link_{i}"), inertia);
             if i == 1 && self.base == Base::Fixed {
                 let base = robot.link("base", crate::spatial::RigidInertia::ZERO);
                 robot.joint(JointSpec::new("joint_1", self.joint(1), base, link).about(Vec3::Z));
@@ -174,7 +175,10 @@ impl Family {
             }
             links.push(link);
             sizes.push(size);
-            size *= self.taper;
+            if self.taper != Dd::ONE {
+                size *= self.taper;
+                inertia = self.inertia(size);
+            }
         }
         robot.build(self.base)
     }

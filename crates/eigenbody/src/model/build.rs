@@ -7,7 +7,7 @@ use super::topology::{Node, pre_order};
 use super::{DofTree, MAX_BODIES, Model, canonical, coupling, finding};
 use crate::joint::Joint;
 use crate::scalar::Real;
-use crate::spatial::{Mat3, Transform, Vec3};
+use crate::spatial::{Mat3, RigidInertia, Transform, Vec3};
 
 const BASE_JOINT: &str = "floating_base";
 
@@ -32,14 +32,16 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
     }
 
     let slots = slots(&robot.joints, base);
-    let (bodies, placed) = place_bodies(&robot, &nodes, &slots);
+    let (mut links, inertias): (Vec<LinkInfo<T>>, Vec<RigidInertia<T>>) = robot
+        .links
+        .into_iter()
+        .map(|(name, I)| (LinkInfo { name, body: WORLD, X_link: Transform::IDENTITY }, I))
+        .unzip();
+    let bodies = place_bodies(&nodes, &robot.joints, &slots, &inertias, &mut links);
+    drop((nodes, inertias));
     let dofs = dof_tree(&bodies);
-    findings.extend(finding::of_bodies(&robot, &bodies));
+    findings.extend(finding::of_bodies(&links, &bodies));
 
-    let mut links = Vec::with_capacity(robot.links.len());
-    for ((name, _), (body, X_link)) in robot.links.into_iter().zip(placed) {
-        links.push(LinkInfo { name, body, X_link });
-    }
     // The coordinates of a floating base, the last joint of the description, come first.
     let mut described: Vec<_> = slots.into_iter().zip((0..).map(JointId)).collect();
     let first = usize::from(base == Base::Floating);
@@ -79,11 +81,8 @@ fn check_links<T: Real>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
     for (i, (name, inertia)) in robot.links.iter().enumerate() {
         let (link, name) = (LinkId(i as u32), || name.to_string());
         let I = inertia.I;
-        let parts = [
-            ("mass", vec![inertia.m]),
-            ("centre of mass", inertia.h.to_array().to_vec()),
-            ("inertia", vec![I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]),
-        ];
+        let (h, I) = (inertia.h.to_array(), [I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]);
+        let parts: [(_, &[T]); 3] = [("mass", &[inertia.m]), ("centre of mass", &h), ("inertia", &I)];
         if let Some((what, _)) = parts.iter().find(|(_, numbers)| !numbers.iter().all(|x| x.is_finite())) {
             return Err(BuildError::LinkNotFinite { link, name: name(), what });
         }
@@ -96,15 +95,15 @@ fn check_links<T: Real>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
 
 /// Checks a joint's numbers and makes its axis a unit vector.
 fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), BuildError> {
-    let name = spec.name.clone();
+    let name = || spec.name.clone();
     let finite = |numbers: &[T], what| match numbers.iter().all(|x| x.is_finite()) {
         true => Ok(()),
-        false => Err(BuildError::JointNotFinite { joint, name: name.clone(), what }),
+        false => Err(BuildError::JointNotFinite { joint, name: name(), what }),
     };
     finite(&spec.axis.to_array(), "axis")?;
     finite(&spec.placement.r.to_array(), "origin")?;
     let E = spec.placement.E;
-    finite(&[E.x, E.y, E.z].map(Vec3::to_array).concat(), "orientation")?;
+    finite([E.x, E.y, E.z].map(Vec3::to_array).as_flattened(), "orientation")?;
     finite(&spec.armature, "armature")?;
     if let Joint::Helical { pitch } = spec.kind {
         finite(&[pitch], "pitch")?;
@@ -112,23 +111,28 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
     if let Some(mimic) = &spec.mimic {
         finite(&[mimic.multiplier, mimic.offset], "mimic")?;
         if spec.kind.nq() > 1 {
-            return Err(BuildError::MimicKind { joint, name, kind: spec.kind.kind() });
+            return Err(BuildError::MimicKind { joint, name: name(), kind: spec.kind.kind() });
         }
     }
     let nv = spec.kind.nv();
     if !spec.armature.is_empty() && spec.armature.len() != nv {
-        return Err(BuildError::ArmatureLength { joint, name, expected: nv, found: spec.armature.len() });
+        return Err(BuildError::ArmatureLength {
+            joint,
+            name: name(),
+            expected: nv,
+            found: spec.armature.len(),
+        });
     }
     if let Some(&armature) = spec.armature.iter().find(|&&a| a < T::ZERO) {
-        return Err(BuildError::NegativeArmature { joint, name, armature: armature.to_f64() });
+        return Err(BuildError::NegativeArmature { joint, name: name(), armature: armature.to_f64() });
     }
     if let Some((lower, upper)) = spec.limits {
         if lower.to_f64().is_nan() || upper.to_f64().is_nan() {
-            return Err(BuildError::JointNotFinite { joint, name, what: "limit" });
+            return Err(BuildError::JointNotFinite { joint, name: name(), what: "limit" });
         }
         if lower > upper {
             let (lower, upper) = (lower.to_f64(), upper.to_f64());
-            return Err(BuildError::CrossedLimits { joint, name, lower, upper });
+            return Err(BuildError::CrossedLimits { joint, name: name(), lower, upper });
         }
     }
     let unit = |a: Vec3<T>| match a.x.abs().max(a.y.abs()).max(a.z.abs()) {
@@ -137,7 +141,7 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
             let a = a.map(|x| x / largest);
             Ok(a * (T::ONE / a.norm()))
         }
-        _ => Err(BuildError::ZeroAxis { joint, name: name.clone() }),
+        _ => Err(BuildError::ZeroAxis { joint, name: name() }),
     };
     if !matches!(spec.kind, Joint::Fixed | Joint::Spherical | Joint::Floating) {
         spec.axis = unit(spec.axis)?;
@@ -172,49 +176,43 @@ fn slots<T: Real>(joints: &[JointSpec<T>], base: Base) -> Vec<Option<Slot>> {
     slots
 }
 
-type Placed<T> = Vec<(u32, Transform<T>)>;
-
-/// Bodies in pre-order, in internal frames, with merged inertias; and for each link its body and place on it.
+/// Bodies in pre-order, in internal frames, with merged inertias; each link is told its body and its place on it.
 fn place_bodies<T: Real>(
-    robot: &ModelBuilder<T>,
     nodes: &[Node],
+    joints: &[JointSpec<T>],
     slots: &[Option<Slot>],
-) -> (Vec<Body<T>>, Placed<T>) {
+    inertias: &[RigidInertia<T>],
+    links: &mut [LinkInfo<T>],
+) -> Vec<Body<T>> {
     let mut bodies: Vec<Body<T>> = Vec::with_capacity(nodes.len());
-    let mut placed: Placed<T> = vec![(WORLD, Transform::IDENTITY); robot.links.len()];
     for node in nodes {
-        let I = robot.links[node.link].1;
+        let I = inertias[node.link];
         let Some(j) = node.joint else { continue };
-        let spec = &robot.joints[j];
-        let (parent, X_parent) = placed[spec.parent.index()];
+        let spec = &joints[j];
+        let LinkInfo { body: parent, X_link: X_parent, .. } = links[spec.parent.index()];
         let X_joint = spec.placement * X_parent;
-        placed[node.link] = match slots[j] {
+        let (body, X_link) = match slots[j] {
             None => {
                 if parent != WORLD {
                     bodies[parent as usize].I += X_joint.transpose_rigid(I);
                 }
                 (parent, X_joint)
             }
-            Some(slot) => {
+            Some(Slot { q0, v0 }) => {
                 let turn = Transform::new(axis_to_z(spec), Vec3::ZERO);
                 let joint = match spec.kind {
                     Joint::Universal { first } => Joint::Universal { first: turn.E * first },
                     kind => kind,
                 };
-                bodies.push(Body {
-                    parent,
-                    q0: slot.q0,
-                    v0: slot.v0,
-                    link: node.link as u32,
-                    joint,
-                    X_tree: turn * X_joint,
-                    I: turn.inverse().transpose_rigid(I),
-                });
+                let (X_tree, I) = (turn * X_joint, turn.inverse().transpose_rigid(I));
+                bodies.push(Body { parent, q0, v0, link: node.link as u32, joint, X_tree, I });
                 (bodies.len() as u32 - 1, turn.inverse())
             }
         };
+        links[node.link].body = body;
+        links[node.link].X_link = X_link;
     }
-    (bodies, placed)
+    bodies
 }
 
 fn axis_to_z<T: Real>(spec: &JointSpec<T>) -> Mat3<T> {

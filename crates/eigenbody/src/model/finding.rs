@@ -1,6 +1,6 @@
 //! What is suspicious about a model: recorded, never repaired.
 
-use super::body::Body;
+use super::body::{Body, LinkInfo};
 use super::builder::{JointId, LinkId, ModelBuilder};
 use super::error::Place;
 use crate::scalar::Real;
@@ -105,14 +105,13 @@ pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
 }
 
 /// Findings on the bodies as merged.
-pub(super) fn of_bodies<T: Real>(robot: &ModelBuilder<T>, bodies: &[Body<T>]) -> Vec<Finding> {
+pub(super) fn of_bodies<T: Real>(links: &[LinkInfo<T>], bodies: &[Body<T>]) -> Vec<Finding> {
     let massless = bodies.iter().filter(|body| body.I.m.to_f64() == 0.0);
-    massless
-        .map(|body| Finding::ZeroMass {
-            link: LinkId(body.link),
-            name: robot.links[body.link()].0.to_string(),
-        })
-        .collect()
+    let finding = |body: &Body<T>| Finding::ZeroMass {
+        link: LinkId(body.link),
+        name: links[body.link()].name.to_string(),
+    };
+    massless.map(finding).collect()
 }
 
 /// Principal moments about the centre of mass, ascending.
