@@ -60,7 +60,7 @@ impl<T: Scalar> Kinematics<T> {
 pub fn link_pose<T: Real>(model: &Model<T>, q: &[T], link: usize) -> Result<Transform<T>, InputError> {
     model.check_q(q)?;
     let info = &model.links[link];
-    let mut X = info.X_link;
+    let mut X = info.link_from_body();
     let mut i = info.body();
     let mut S = [Motion::ZERO; 6];
     while let Some(b) = i {

@@ -68,7 +68,8 @@ impl<T: Scalar> Body<T> {
 pub struct LinkInfo<T> {
     pub(crate) name: Box<str>,
     pub(crate) body: u32,
-    pub(crate) X_link: Transform<T>,
+    /// From the body's frame to the link's; none where they are the same.
+    pub(crate) X_link: Option<Box<Transform<T>>>,
 }
 
 impl<T: Scalar> LinkInfo<T> {
@@ -83,8 +84,8 @@ impl<T: Scalar> LinkInfo<T> {
     }
 
     /// From the body's internal frame to the link's own frame.
-    pub fn link_from_body(&self) -> &Transform<T> {
-        &self.X_link
+    pub fn link_from_body(&self) -> Transform<T> {
+        self.X_link.as_deref().copied().unwrap_or(Transform::IDENTITY)
     }
 }
 

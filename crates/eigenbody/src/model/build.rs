@@ -32,11 +32,8 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
     }
 
     let slots = slots(&robot.joints, base);
-    let (mut links, inertias): (Vec<LinkInfo<T>>, Vec<RigidInertia<T>>) = robot
-        .links
-        .into_iter()
-        .map(|(name, I)| (LinkInfo { name, body: WORLD, X_link: Transform::IDENTITY }, I))
-        .unzip();
+    let (mut links, inertias): (Vec<LinkInfo<T>>, Vec<RigidInertia<T>>) =
+        robot.links.into_iter().map(|(name, I)| (LinkInfo { name, body: WORLD, X_link: None }, I)).unzip();
     let bodies = place_bodies(&nodes, &robot.joints, &slots, &inertias, &mut links);
     drop((nodes, inertias));
     let dofs = dof_tree(&bodies);
@@ -189,8 +186,8 @@ fn place_bodies<T: Real>(
         let I = inertias[node.link];
         let Some(j) = node.joint else { continue };
         let spec = &joints[j];
-        let LinkInfo { body: parent, X_link: X_parent, .. } = links[spec.parent.index()];
-        let X_joint = spec.placement * X_parent;
+        let carrier = &links[spec.parent.index()];
+        let (parent, X_joint) = (carrier.body, spec.placement * carrier.link_from_body());
         let (body, X_link) = match slots[j] {
             None => {
                 if parent != WORLD {
@@ -210,7 +207,7 @@ fn place_bodies<T: Real>(
             }
         };
         links[node.link].body = body;
-        links[node.link].X_link = X_link;
+        links[node.link].X_link = (X_link != Transform::IDENTITY).then(|| Box::new(X_link));
     }
     bodies
 }

@@ -18,8 +18,11 @@ impl Model<f64> {
             X_tree: b.X_tree.map(f),
             I: b.I.map(f),
         };
-        let link =
-            |l: &LinkInfo<f64>| LinkInfo { name: l.name.clone(), body: l.body, X_link: l.X_link.map(f) };
+        let link = |l: &LinkInfo<f64>| LinkInfo {
+            name: l.name.clone(),
+            body: l.body,
+            X_link: l.X_link.as_ref().map(|X| Box::new(X.map(f))),
+        };
         let joint = |j: &JointInfo<f64>| JointInfo {
             name: j.name.clone(),
             kind: j.kind.map(f),
