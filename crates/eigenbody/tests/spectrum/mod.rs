@@ -1,5 +1,7 @@
 mod eigen;
 mod metric;
+mod sturm;
+mod systems;
 
 use eigenbody::Matrix;
 use eigenbody::model::Random;
