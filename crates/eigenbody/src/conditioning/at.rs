@@ -6,7 +6,7 @@ use crate::error::{Error, InputError};
 use crate::model::Model;
 use crate::scalar::LANES;
 use crate::spectrum::sturm::{Pencil, counts};
-use crate::spectrum::{Extremes, Metric, Precision, extreme_values, extremes, slice};
+use crate::spectrum::{Extremes, Metric, Precision, extreme_values, extremes_from, slice};
 
 /// Up to so many degrees of freedom the dense method is the faster one.
 const CROSSOVER: usize = 32;
@@ -97,7 +97,7 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
     let pick = |all: &[f64]| -> Vec<f64> { dofs.iter().map(|&d| all[d]).collect() };
     let diagonal = pick(&own);
     let mut notes = Vec::new();
-    let Extremes { min, max, passes } = extremes(model, q, &pencil, question.precision)?;
+    let Extremes { min, max, passes } = extremes_from(model, q, &pencil, &own, question.precision)?;
     let eigenvalues = if question.all { Some(slice(&pencil)) } else { None };
     let (diagonal_ratio, has_zero) = diagonal_ratio(&diagonal, &weights, &mut notes);
     let kappa_weighted = if has_zero {
@@ -105,12 +105,12 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
     } else if question.metric == Metric::UnitDiagonal {
         ratio(Some(max.value), min.as_ref().ok().map(|min| min.value))
     } else {
-        let own = pencil.with_metric(own)?;
+        let weighted = pencil.with_metric(own.clone())?;
         if min.as_ref().is_ok_and(|min| min.counted_error <= GOOD) {
-            let (min, max) = extreme_values(&own);
+            let (min, max) = extreme_values(&weighted, &own);
             ratio(Some(max), min)
         } else {
-            let ends = extremes(model, q, &own, question.precision)?;
+            let ends = extremes_from(model, q, &weighted, &own, question.precision)?;
             if let Err(unresolved) = &ends.min {
                 notes.push(format!("λ′min is not resolved: it lies below {:.1e}", unresolved.below));
             }

@@ -85,10 +85,21 @@ pub fn extremes(
     pencil: &Pencil<f64>,
     precision: Precision,
 ) -> Result<Extremes, InputError> {
+    extremes_from(model, q, pencil, &pencil.diagonal(), precision)
+}
+
+/// [`extremes`] where the diagonal of the matrix is known.
+pub(crate) fn extremes_from(
+    model: &Model<f64>,
+    q: &[f64],
+    pencil: &Pencil<f64>,
+    diagonal: &[f64],
+    precision: Precision,
+) -> Result<Extremes, InputError> {
     if pencil.is_empty() {
         return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
     }
-    let (low, high, passes) = search(pencil);
+    let (low, high, passes) = search(pencil, diagonal);
     let mut factors = Factors::new(pencil);
     let mut ending = Ending { model, q, pencil, precision, factors: &mut factors };
     let max = ending.finish(high.value().unwrap_or(f64::INFINITY));
@@ -107,16 +118,16 @@ pub fn extremes(
 ///
 /// For pencils whose extremes are known to be well determined: a third of the cost of [`extremes`]. λmin is none if it cannot be told
 /// from zero.
-pub fn extreme_values(pencil: &Pencil<f64>) -> (Option<f64>, f64) {
-    let (low, high, _) = search(pencil);
+pub(crate) fn extreme_values(pencil: &Pencil<f64>, diagonal: &[f64]) -> (Option<f64>, f64) {
+    let (low, high, _) = search(pencil, diagonal);
     (low.value(), high.value().unwrap_or(f64::INFINITY))
 }
 
 /// Brackets of both ends, and the passes they took: four shifts to each end, eight to one that is left over.
-fn search(pencil: &Pencil<f64>) -> (Search, Search, usize) {
+fn search(pencil: &Pencil<f64>, diagonal: &[f64]) -> (Search, Search, usize) {
     let (mut low, mut high) = (Search::new(0), Search::new(pencil.len() - 1));
     let mut passes = 0;
-    let mut shifts = first_shifts(pencil);
+    let mut shifts = first_shifts(pencil, diagonal);
     while passes < MAX_PASSES {
         let found = counts(pencil, shifts);
         passes += 1;
@@ -139,7 +150,7 @@ fn search(pencil: &Pencil<f64>) -> (Search, Search, usize) {
 /// One eigenvalue by its place, cold; none if it cannot be told from zero.
 pub(super) fn cold(pencil: &Pencil<f64>, index: usize) -> Option<f64> {
     let mut search = Search::new(index);
-    let mut shifts = first_shifts(pencil);
+    let mut shifts = first_shifts(pencil, &pencil.diagonal());
     for _ in 0..MAX_PASSES {
         search.learn(&counts(pencil, shifts));
         if search.is_settled() {
@@ -151,9 +162,8 @@ pub(super) fn cold(pencil: &Pencil<f64>, index: usize) -> Option<f64> {
 }
 
 /// Bounds of both ends, and shifts between them.
-fn first_shifts(pencil: &Pencil<f64>) -> [f64; LANES] {
-    let ratios =
-        pencil.diagonal().into_iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
+fn first_shifts(pencil: &Pencil<f64>, diagonal: &[f64]) -> [f64; LANES] {
+    let ratios = diagonal.iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
     let (min, max, sum) =
         ratios.fold((f64::INFINITY, 0.0f64, 0.0), |(min, max, sum), r| (r.min(min), r.max(max), sum + r));
     // A little outside, so that rounding in the diagonal does not matter.

@@ -12,7 +12,8 @@ mod tracker;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
-pub use extremes::{Extreme, Extremes, Precision, Unresolved, extreme_values, extremes};
+pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
+pub(crate) use extremes::{extreme_values, extremes_from};
 pub use metric::Metric;
 pub use slice::slice;
 pub use tracker::{Reading, Tracker};
