@@ -8,7 +8,7 @@
 
 use super::bisect::Search;
 use super::rayleigh::{mode, quotient};
-use super::sturm::{Factors, Pencil, absolute_error, counts};
+use super::sturm::{Factors, Pencil, absolute_errors, counts};
 use crate::error::InputError;
 use crate::model::Model;
 use crate::scalar::LANES;
@@ -106,12 +106,19 @@ pub(crate) fn extremes_from(
     let min = match low.value() {
         Some(value) => {
             let extreme = ending.finish(value);
-            let below = value * (1.0 + extreme.error_estimate);
+            let below = known_bound(value * (1.0 + extreme.error_estimate), pencil, diagonal);
             if extreme.error_estimate < 0.5 { Ok(extreme) } else { Err(Unresolved { below }) }
         }
-        None => Err(Unresolved { below: ending.resolution() }),
+        None => Err(Unresolved { below: known_bound(ending.resolution(), pencil, diagonal) }),
     };
     Ok(Extremes { min, max, passes })
+}
+
+/// A bound on λmin that holds whatever was lost: the smallest H_dd/B_d, where the estimate is larger or not a number.
+fn known_bound(estimate: f64, pencil: &Pencil<f64>, diagonal: &[f64]) -> f64 {
+    let ratios = diagonal.iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
+    let bound = ratios.fold(f64::MAX, f64::min);
+    if estimate < bound { estimate } else { bound }
 }
 
 /// Both ends by counts alone: the values without modes, error estimates or double-double.
@@ -187,7 +194,8 @@ impl Ending<'_> {
         let Self { model, q, pencil, precision, factors } = self;
         let mut vector = mode(pencil, value, factors);
         // Half the width of the last bracket, and rounding.
-        let error = f64::EPSILON * value + absolute_error(pencil, value, factors.motions(), &vector);
+        let errors = absolute_errors(pencil, value, factors.motions(), &vector);
+        let error = f64::EPSILON * value + errors.counted;
         let estimate = error / value;
         pencil.fill_base(factors.motions(), &mut vector);
         let refine = match precision {
@@ -199,7 +207,8 @@ impl Ending<'_> {
             let refined = quotient(model, q, &vector, pencil.metric());
             if (refined - value).abs() <= error {
                 // The quotient errs by the square of the vector's error, of which the estimate is a bound.
-                let error_estimate = (estimate * estimate).max(4.0 * f64::EPSILON).min(estimate);
+                let own = estimate * estimate + errors.given / value;
+                let error_estimate = own.max(4.0 * f64::EPSILON).min(estimate);
                 return Extreme { value: refined, vector, error_estimate, counted_error: estimate };
             }
         }
@@ -209,6 +218,6 @@ impl Ending<'_> {
     /// How far rounding reaches where counts are positive at zero.
     fn resolution(&mut self) -> f64 {
         let x = mode(self.pencil, 0.0, self.factors);
-        absolute_error(self.pencil, 0.0, self.factors.motions(), &x)
+        absolute_errors(self.pencil, 0.0, self.factors.motions(), &x).counted
     }
 }

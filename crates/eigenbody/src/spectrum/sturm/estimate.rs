@@ -18,12 +18,35 @@ use super::pencil::Pencil;
 use super::sweep::{Pivots, sweep};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Transform, Vec3};
 
-/// Estimated absolute error of the eigenvalue `shift`. Its mode `x`, xᵀBx = 1, moves the bodies by `motions`; where a base was
+/// Estimated absolute errors of an eigenvalue.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Errors {
+    /// Of the value that counts give: arithmetic and geometry.
+    pub counted: f64,
+    /// Of any value: the mechanism's own numbers, X_up, S and I, are rounded.
+    pub given: f64,
+}
+
+/// Estimated errors of the eigenvalue `shift`. Its mode `x`, xᵀBx = 1, moves the bodies by `motions`; where a base was
 /// removed, x holds the motion of the body that stands in for it.
-pub(crate) fn absolute_error(pencil: &Pencil<f64>, shift: f64, motions: &[Motion<f64>], x: &[f64]) -> f64 {
+pub(crate) fn absolute_errors(
+    pencil: &Pencil<f64>,
+    shift: f64,
+    motions: &[Motion<f64>],
+    x: &[f64],
+) -> Errors {
     let mut sum = Sum { pencil, motions, x, a: Motion::ZERO, total: 0.0 };
     sweep(pencil, shift, &mut Vec::new(), &mut sum);
-    f64::EPSILON * (sum.total + geometry(pencil, x, motions))
+    let geometry = geometry(pencil, x, motions);
+    let inertia: f64 = pencil.nodes.iter().zip(motions).map(|(node, &a)| size(&node.I.into(), a)).sum();
+    Errors { counted: f64::EPSILON * (sum.total + geometry), given: f64::EPSILON * (inertia + geometry) }
+}
+
+/// |a|ᵀ |IA| |a|.
+fn size(IA: &ArticulatedInertia<f64>, a: Motion<f64>) -> f64 {
+    let a = Motion::new(absolute(a.ang), absolute(a.lin));
+    let IA = ArticulatedInertia { I: IA.I.map(f64::abs), H: IA.H.map(f64::abs), M: IA.M.map(f64::abs) };
+    a.dot(IA.times(a))
 }
 
 /// Σ |f_i|ᵀ (|X_up||a_p| + |S||x|).
@@ -60,14 +83,6 @@ struct Sum<'a> {
     total: f64,
 }
 
-impl Sum<'_> {
-    fn add(&mut self, IA: &ArticulatedInertia<f64>) {
-        let a = Motion::new(absolute(self.a.ang), absolute(self.a.lin));
-        let IA = ArticulatedInertia { I: IA.I.map(f64::abs), H: IA.H.map(f64::abs), M: IA.M.map(f64::abs) };
-        self.total += a.dot(IA.times(a));
-    }
-}
-
 fn absolute(v: Vec3<f64>) -> Vec3<f64> {
     v.map(f64::abs)
 }
@@ -75,11 +90,11 @@ fn absolute(v: Vec3<f64>) -> Vec3<f64> {
 impl Pivots<f64> for Sum<'_> {
     fn pivot(&mut self, d: usize, hinge: &Hinge<f64>) {
         self.a += -(self.pencil.S[d] * self.x[d]);
-        self.add(&hinge.IA);
+        self.total += size(&hinge.IA, self.a);
     }
 
     fn body(&mut self, i: usize, IA: &ArticulatedInertia<f64>) {
         self.a = self.motions[i];
-        self.add(IA);
+        self.total += size(IA, self.a);
     }
 }

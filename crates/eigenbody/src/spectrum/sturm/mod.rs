@@ -23,6 +23,6 @@ mod sweep;
 
 pub use count::{Count, counts};
 pub use diagonal::Diagonal;
-pub(super) use estimate::absolute_error;
+pub(super) use estimate::absolute_errors;
 pub use pencil::Pencil;
 pub(super) use solve::Factors;
