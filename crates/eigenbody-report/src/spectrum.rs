@@ -105,6 +105,12 @@ impl SpectrumReport {
         names: &[String],
     ) -> Self {
         let finite = |x: Option<f64>| x.filter(|x| x.is_finite());
+        let mut notes = result.notes.clone();
+        let ends = result.bracket.map(|(lo, hi)| [lo, hi]);
+        let too_large = [result.lambda_max, result.kappa, result.kappa_weighted, ends.map(|[_, hi]| hi)];
+        if too_large.into_iter().flatten().any(|x| !x.is_finite()) {
+            notes.push("a value exceeds the range of f64".into());
+        }
         let mode = |vector: &Vec<f64>| ModeReport {
             vector: vector.clone(),
             joints: names.to_vec(),
@@ -129,12 +135,12 @@ impl SpectrumReport {
             kappa: finite(result.kappa),
             kappa_weighted: finite(result.kappa_weighted),
             diagonal_ratio: finite(result.diagonal_ratio),
-            bracket: result.bracket.map(|(lo, hi)| [lo, hi]).filter(|b| b.iter().all(|x| x.is_finite())),
+            bracket: ends.filter(|ends| ends.iter().all(|x| x.is_finite())),
             eigenvalues: result.eigenvalues.clone(),
             count_below: None,
             softest: result.softest.as_ref().map(mode),
             stiffest: result.stiffest.as_ref().map(mode),
-            note: (!result.notes.is_empty()).then(|| result.notes.join("; ")),
+            note: (!notes.is_empty()).then(|| notes.join("; ")),
             findings: Vec::new(),
         }
     }
