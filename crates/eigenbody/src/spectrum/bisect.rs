@@ -32,36 +32,40 @@ pub(super) struct Search {
 
 /// Where the eigenvalue lies.
 #[derive(Debug, Clone, Copy)]
-struct Bracket {
-    lo: Count,
-    hi: Count,
+pub(super) struct Bracket {
+    pub lo: Count,
+    pub hi: Count,
 }
 
 impl Bracket {
-    fn width(&self) -> f64 {
+    pub fn width(&self) -> f64 {
         self.hi.shift - self.lo.shift
     }
-    fn middle(&self) -> f64 {
+    pub fn middle(&self) -> f64 {
         self.lo.shift + 0.5 * self.width()
     }
     fn is_isolated(&self) -> bool {
         self.hi.below == self.lo.below + 1
     }
-    /// As narrow as the numbers in it, or with no number in between.
-    fn is_narrow(&self) -> bool {
+    /// As narrow, relative to the numbers in it, as `width`, or with no number in between.
+    pub fn is_narrow(&self, width: f64) -> bool {
         let middle = self.middle();
-        self.width() <= WIDTH * self.hi.shift.abs() || middle <= self.lo.shift || middle >= self.hi.shift
+        self.width() <= width * self.hi.shift.abs() || middle <= self.lo.shift || middle >= self.hi.shift
+    }
+    /// Shifts in equal steps, of log σ while hi/lo > 2.
+    pub fn equal_steps(&self, shifts: &mut [f64]) {
+        let (lo, hi) = (self.lo.shift, self.hi.shift);
+        let steps = shifts.len() as f64 + 1.0;
+        for (k, shift) in (1..).zip(shifts.iter_mut()) {
+            let part = f64::from(k) / steps;
+            *shift = if hi / lo > 2.0 { lo * (hi / lo).powf(part) } else { lo + part * (hi - lo) };
+        }
     }
 }
 
 impl Search {
     pub fn new(index: usize) -> Self {
         Self { index, points: Vec::new(), shrink: 0.0 }
-    }
-
-    /// Begins from counts that another search has made, by ascending shift.
-    pub fn start(&mut self, points: &[Count]) {
-        self.points = points.to_vec();
     }
 
     /// Takes note of counts. All eigenvalues of a positive definite pencil lie above σ = 0.
@@ -86,7 +90,7 @@ impl Search {
 
     /// True once another pass would tell no more.
     pub fn is_settled(&self) -> bool {
-        self.is_lost() || self.bracket().is_some_and(|bracket| bracket.is_narrow())
+        self.is_lost() || self.bracket().is_some_and(|bracket| bracket.is_narrow(WIDTH))
     }
 
     /// The eigenvalue as it stands; none if it cannot be told from zero.
@@ -116,33 +120,16 @@ impl Search {
         {
             around(edge, error, bracket, shifts);
         } else {
-            let steps = shifts.len() as f64 + 1.0;
-            for (k, shift) in (1..).zip(shifts.iter_mut()) {
-                let part = f64::from(k) / steps;
-                *shift = if hi / lo > 2.0 { lo * (hi / lo).powf(part) } else { lo + part * (hi - lo) };
-            }
+            bracket.equal_steps(shifts);
         }
     }
 
     /// Shifts around the interpolated zero of det(H − σB).
     fn around_zero(&self, bracket: Bracket, shifts: &mut [f64]) {
-        let nodes = self.nodes(bracket);
-        let zero = interpolated_zero(&nodes, bracket);
-        let coarser = interpolated_zero(&nodes[..nodes.len() - 1], bracket);
-        let error =
-            (2.0 * (zero - coarser).abs()).max(0.5 * WIDTH * bracket.hi.shift).min(0.1 * bracket.width());
+        let at = self.points.partition_point(|point| point.shift < bracket.hi.shift);
+        let (zero, error) = zero_between(&nodes(&self.points, at), bracket);
+        let error = error.max(0.5 * WIDTH * bracket.hi.shift).min(0.1 * bracket.width());
         around(zero, error, bracket, shifts);
-    }
-
-    /// The bracket's ends and up to four points beside them, the nearest first, without another eigenvalue in between.
-    fn nodes(&self, Bracket { lo, hi }: Bracket) -> Vec<Count> {
-        let at = self.points.partition_point(|point| point.shift < lo.shift);
-        let left = self.points[..at].iter().rev().take_while(|point| point.below == lo.below).take(2);
-        let right = self.points[at + 2..].iter().take_while(|point| point.below == hi.below).take(2);
-        let mut beside: Vec<&Count> = left.chain(right).collect();
-        let distance = |point: &Count| (lo.shift - point.shift).max(point.shift - hi.shift);
-        beside.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        [lo, hi].into_iter().chain(beside.into_iter().copied()).collect()
     }
 
     /// Where the spectrum begins, if σ_c = λ₀ + a c² as at the edge of a band, and how far that may be off.
@@ -162,8 +149,20 @@ impl Search {
     }
 }
 
+/// The two ends of a bracket, the upper one at `at` in `points`, and up to four points beside them, the nearest first, without
+/// another eigenvalue in between.
+pub(super) fn nodes(points: &[Count], at: usize) -> Vec<Count> {
+    let (lo, hi) = (points[at - 1], points[at]);
+    let left = points[..at - 1].iter().rev().take_while(|point| point.below == lo.below).take(2);
+    let right = points[at + 1..].iter().take_while(|point| point.below == hi.below).take(2);
+    let mut beside: Vec<&Count> = left.chain(right).collect();
+    let distance = |point: &Count| (lo.shift - point.shift).max(point.shift - hi.shift);
+    beside.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    [lo, hi].into_iter().chain(beside.into_iter().copied()).collect()
+}
+
 /// Shifts on both sides of a guess: at its estimated error, and at geometric steps from there to the bracket's width.
-fn around(guess: f64, error: f64, bracket: Bracket, shifts: &mut [f64]) {
+pub(super) fn around(guess: f64, error: f64, bracket: Bracket, shifts: &mut [f64]) {
     let (lo, hi) = (bracket.lo.shift, bracket.hi.shift);
     let pairs = (shifts.len() / 2).max(1);
     let ratio = (bracket.width() / error).powf(1.0 / pairs as f64);
@@ -177,25 +176,50 @@ fn around(guess: f64, error: f64, bracket: Bracket, shifts: &mut [f64]) {
     }
 }
 
+/// The interpolated zero of det(H − σB) in a bracket, and how far that may be off.
+pub(super) fn zero_between(nodes: &[Count], bracket: Bracket) -> (f64, f64) {
+    let zero = interpolated_zero(nodes, bracket);
+    let coarser = interpolated_zero(&nodes[..nodes.len() - 1], bracket);
+    (zero, 2.0 * (zero - coarser).abs())
+}
+
 /// The zero λ of det(H − σB) in the bracket for which log|det| − log|σ − λ| is a polynomial of the lowest degree at the nodes.
 ///
 /// That is where the highest divided difference vanishes. At the bracket's ends log|σ − λ| has poles, and the weights of two
-/// neighbouring nodes have opposite signs: there is a change of sign between.
+/// neighbouring nodes have opposite signs: there is a change of sign between. In y = log(x/(1 − x)) the poles become straight
+/// lines, and Newton's method needs few steps.
 fn interpolated_zero(nodes: &[Count], Bracket { lo, hi }: Bracket) -> f64 {
     let width = hi.shift - lo.shift;
     let t: Vec<f64> = nodes.iter().map(|node| (node.shift - lo.shift) / width).collect();
     let weight = |j: usize| (0..t.len()).filter(|&k| k != j).fold(1.0, |w, k| w / (t[j] - t[k]));
     let weights: Vec<f64> = (0..t.len()).map(weight).collect();
-    let value = |x: f64| -> f64 {
-        let term = |j: usize| weights[j] * (nodes[j].log2_det - nodes[0].log2_det - (x - t[j]).abs().log2());
-        (0..t.len()).map(term).sum()
-    };
+    let det: f64 = (0..t.len()).map(|j| weights[j] * (nodes[j].log2_det - nodes[0].log2_det)).sum();
+    let det = det * std::f64::consts::LN_2;
+    // Negative where the pole at lo, of weight w, pulls −w log|x| up.
+    let sign = -weights[0].signum();
     let (mut a, mut b) = (0.0, 1.0);
-    // Positive where the pole at lo, of weight w, pulls −w log|x| up.
-    let sign = weights[0].signum();
+    let mut x: f64 = 0.5;
     for _ in 0..60 {
-        let middle = 0.5 * (a + b);
-        if value(middle) * sign > 0.0 { a = middle } else { b = middle }
+        let (mut value, mut slope) = (det, 0.0);
+        for (t, w) in t.iter().zip(&weights) {
+            value -= w * (x - t).abs().ln();
+            slope -= w / (x - t);
+        }
+        if value * sign < 0.0 {
+            a = x;
+        } else {
+            b = x;
+        }
+        let step = value / (slope * x * (1.0 - x));
+        // y ← y − step, in terms of x.
+        let grown = (x / (1.0 - x)) * (-step).exp();
+        let next = grown / (1.0 + grown);
+        let next = if next > a && next < b { next } else { 0.5 * (a + b) };
+        if (next - x).abs() <= 1e-12 * x.min(1.0 - x) {
+            x = next;
+            break;
+        }
+        x = next;
     }
-    lo.shift + 0.5 * (a + b) * width
+    lo.shift + x * width
 }

@@ -1,5 +1,6 @@
 mod eigen;
 mod metric;
+mod slice;
 mod sturm;
 mod systems;
 
