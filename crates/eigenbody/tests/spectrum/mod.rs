@@ -3,6 +3,7 @@ mod metric;
 mod slice;
 mod sturm;
 mod systems;
+mod tracker;
 
 use eigenbody::Matrix;
 use eigenbody::model::Random;
