@@ -78,7 +78,7 @@ pub struct Call<'a> {
 ///
 /// ```
 /// use eigenbody_formats::expression::number;
-/// assert_eq!(number("-(pi - .5e1)/4")?, -(std::f64::consts::PI - 5.0) / 4.0);
+/// assert_eq!(number("-2*(.5e1 - 1)/4")?, -2.0);
 /// # Ok::<(), eigenbody_formats::ExpressionError>(())
 /// ```
 pub fn number(text: &str) -> Result<f64, ExpressionError> {

@@ -53,7 +53,7 @@ impl<T: Scalar> Mat3<T> {
         self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))
     }
 
-    /// [a]× B: the columns of B crossed with a.
+    /// The columns of B crossed with a.
     #[inline(always)]
     pub fn cross_times(a: Vec3<T>, B: Self) -> Self {
         Self {

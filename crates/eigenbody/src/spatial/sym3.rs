@@ -45,9 +45,9 @@ impl<T: Scalar> Sym3<T> {
         }
     }
 
-    /// A + [r]× Bᵀ + ([r]× Cᵀ)ᵀ, where that is symmetric as a whole.
+    /// `A + [r]× Bᵀ + ([r]× Cᵀ)ᵀ`, where that is symmetric as a whole.
     ///
-    /// Entry (i, j) of [r]× Bᵀ is (r × b_j)_i, b_j the rows of B.
+    /// Entry (i, j) of `[r]× Bᵀ` is `(r × b_j)_i`, b_j the rows of B.
     #[inline(always)]
     pub fn plus_shift(self, r: Vec3<T>, B: Mat3<T>, C: Mat3<T>) -> Self {
         Self {
