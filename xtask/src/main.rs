@@ -1,5 +1,6 @@
 //! Development tasks: `cargo xtask TASK`.
 
+mod bench;
 mod conformance;
 mod layers;
 mod oracle;
@@ -18,7 +19,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 5] = [
+const TASKS: [Task; 6] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -31,6 +32,11 @@ const TASKS: [Task; 5] = [
         name: "conformance",
         about: "H and kappa of real robots against Pinocchio",
         run: conformance::check,
+    },
+    Task {
+        name: "bench",
+        about: "the figures of docs/performance.md, beside LAPACK and faer",
+        run: bench::bench,
     },
 ];
 

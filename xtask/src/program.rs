@@ -53,6 +53,21 @@ pub fn output(command: &mut Command) -> Result<String, String> {
     }
 }
 
+/// Where cargo builds: `target/`, unless the environment or a configuration file moved it.
+pub fn build_directory() -> Result<PathBuf, String> {
+    let metadata = output(&mut cargo(&["metadata", "--format-version", "1", "--no-deps"]))?;
+    let directory =
+        text_field(&metadata, "target_directory").ok_or("cargo metadata names no target directory")?;
+    Ok(Path::new(directory).to_path_buf())
+}
+
+/// The value of a text field that holds nothing escaped.
+fn text_field<'a>(json: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = json.split_once(&format!("\"{name}\":\""))?;
+    let (value, _) = rest.split_once('"')?;
+    (!value.contains('\\')).then_some(value)
+}
+
 fn not_started(command: &Command, error: &std::io::Error) -> String {
     let name = command.get_program().to_string_lossy();
     match error.kind() {
@@ -88,5 +103,12 @@ mod tests {
         command.arg(root().join("oracle/conformance.py")).arg("--quick");
         assert_eq!(line(&command), ".oracle/bin/python oracle/conformance.py --quick");
         assert_eq!(line(program("/opt/rust/bin/cargo").arg("test")), "cargo test");
+    }
+
+    #[test]
+    fn a_text_field_is_found_by_its_name() {
+        let json = r#"{"packages":[],"target_directory":"/src/robot/target","version":1}"#;
+        assert_eq!(text_field(json, "target_directory"), Some("/src/robot/target"));
+        assert_eq!(text_field(json, "workspace_root"), None);
     }
 }
