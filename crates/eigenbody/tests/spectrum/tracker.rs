@@ -140,7 +140,7 @@ fn updates_allocate_nothing() {
         let mut tracker = Tracker::new(&robot, &q, &metric, false).unwrap();
         let mut in_step = 0;
         for step in 0..10 {
-            q[0] += 1e-4;
+            q[1] += 1e-4;
             let mut restarted = true;
             let counted = allocation_counter::measure(|| {
                 restarted = tracker.update(&q).unwrap().iter().any(|reading| reading.restarted);
