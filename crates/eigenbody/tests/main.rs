@@ -35,6 +35,7 @@ mod factor;
 mod family;
 mod joint;
 mod model;
+mod reference;
 mod robots;
 mod scalar;
 mod spectrum;

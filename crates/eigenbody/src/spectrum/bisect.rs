@@ -98,6 +98,14 @@ impl Search {
         if self.is_lost() { None } else { self.bracket().map(|bracket| bracket.middle()) }
     }
 
+    /// How far other eigenvalues are from a value, by what was counted: at least so much.
+    pub fn gap(&self, value: f64) -> f64 {
+        let up = self.points.iter().rfind(|point| point.below == self.index + 1);
+        let down = self.points.iter().find(|point| point.below == self.index);
+        let distance = |point: Option<&Count>| point.map_or(0.0, |point| (point.shift - value).abs());
+        distance(up).min(distance(down))
+    }
+
     /// Counts do not find the eigenvalue above zero, or above what f64 can hold.
     fn is_lost(&self) -> bool {
         self.points.first().is_some_and(|point| point.below > self.index)

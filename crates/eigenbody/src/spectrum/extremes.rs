@@ -102,10 +102,11 @@ pub(crate) fn extremes_from(
     let (low, high, passes) = search(pencil, diagonal);
     let mut factors = Factors::new(pencil);
     let mut ending = Ending { model, q, pencil, precision, factors: &mut factors };
-    let max = ending.finish(high.value().unwrap_or(f64::INFINITY));
+    let largest = high.value().unwrap_or(f64::INFINITY);
+    let max = ending.finish(largest, high.gap(largest), largest);
     let min = match low.value() {
         Some(value) => {
-            let extreme = ending.finish(value);
+            let extreme = ending.finish(value, low.gap(value), largest);
             let below = known_bound(value * (1.0 + extreme.error_estimate), pencil, diagonal);
             if extreme.error_estimate < 0.5 { Ok(extreme) } else { Err(Unresolved { below }) }
         }
@@ -190,7 +191,10 @@ struct Ending<'a> {
 
 impl Ending<'_> {
     /// Mode, error estimate and, where that asks, the double-double quotient.
-    fn finish(&mut self, value: f64) -> Extreme {
+    ///
+    /// The quotient errs by the square of the mode's error: of the error of the pencil over the gap to the next eigenvalue, and of
+    /// the last digit of every x_d, which the largest eigenvalue amplifies. The mechanism's own numbers are no better for it.
+    fn finish(&mut self, value: f64, gap: f64, largest: f64) -> Extreme {
         let Self { model, q, pencil, precision, factors } = self;
         let mut vector = mode(pencil, value, factors);
         // Half the width of the last bracket, and rounding.
@@ -205,10 +209,10 @@ impl Ending<'_> {
         };
         if refine {
             let refined = quotient(model, q, &vector, pencil.metric());
-            if (refined - value).abs() <= error {
-                // The quotient errs by the square of the vector's error, of which the estimate is a bound.
-                let own = estimate * estimate + errors.given / value;
-                let error_estimate = own.max(4.0 * f64::EPSILON).min(estimate);
+            let digits = (0.5 * f64::EPSILON).powi(2) * largest;
+            let error_estimate =
+                ((errors.given + error * (error / gap) + digits) / value).max(4.0 * f64::EPSILON);
+            if (refined - value).abs() <= error && error_estimate < estimate {
                 return Extreme { value: refined, vector, error_estimate, counted_error: estimate };
             }
         }

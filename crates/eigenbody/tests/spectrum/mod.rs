@@ -1,4 +1,5 @@
 mod eigen;
+mod extremes;
 mod metric;
 mod slice;
 mod sturm;

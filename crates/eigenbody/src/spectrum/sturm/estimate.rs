@@ -14,7 +14,7 @@
 //! the mode; the condition number of H does not enter.
 
 use super::hinge::Hinge;
-use super::pencil::Pencil;
+use super::pencil::{Node, Pencil};
 use super::sweep::{Pivots, sweep};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Transform, Vec3};
 
@@ -35,11 +35,18 @@ pub(crate) fn absolute_errors(
     motions: &[Motion<f64>],
     x: &[f64],
 ) -> Errors {
-    let mut sum = Sum { pencil, motions, x, a: Motion::ZERO, total: 0.0 };
+    let mut sum = Sum { pencil, motions, x, children: children(pencil), a: Motion::ZERO, total: 0.0 };
     sweep(pencil, shift, &mut Vec::new(), &mut sum);
     let geometry = geometry(pencil, x, motions);
     let inertia: f64 = pencil.nodes.iter().zip(motions).map(|(node, &a)| size(&node.I.into(), a)).sum();
     Errors { counted: f64::EPSILON * (sum.total + geometry), given: f64::EPSILON * (inertia + geometry) }
+}
+
+/// How many bodies each body carries.
+fn children(pencil: &Pencil<f64>) -> Vec<u32> {
+    let mut children = vec![0; pencil.nodes.len()];
+    pencil.nodes.iter().filter_map(Node::parent).for_each(|p| children[p] += 1);
+    children
 }
 
 /// |a|ᵀ |IA| |a|.
@@ -78,6 +85,7 @@ struct Sum<'a> {
     pencil: &'a Pencil<f64>,
     motions: &'a [Motion<f64>],
     x: &'a [f64],
+    children: Vec<u32>,
     /// Motion between the hinges of a body: outboard of the next one to be eliminated.
     a: Motion<f64>,
     total: f64,
@@ -95,6 +103,7 @@ impl Pivots<f64> for Sum<'_> {
 
     fn body(&mut self, i: usize, IA: &ArticulatedInertia<f64>) {
         self.a = self.motions[i];
-        self.total += size(IA, self.a);
+        // A sum of as many terms.
+        self.total += f64::from(self.children[i].max(1)) * size(IA, self.a);
     }
 }
