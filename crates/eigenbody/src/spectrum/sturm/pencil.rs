@@ -20,6 +20,9 @@ pub struct Pencil<T> {
     pub(super) B: Vec<T>,
     /// nv: armature.
     pub(super) armature: Vec<T>,
+    /// nv: B and armature in the order of the nodes. DoFs of neighbouring bodies may stand far apart in a branched tree, and a
+    /// sweep that fetched them one by one would wait for memory.
+    pub(super) hinges: Vec<(T, T)>,
     /// The tree seen from its central body, where the base is removed.
     rerooted: Option<Box<Seen<T>>>,
 }
@@ -100,7 +103,8 @@ impl<T: Real> Pencil<T> {
         B: Vec<T>,
     ) -> Result<Self, InputError> {
         let (S, armature) = (vec![Motion::ZERO; model.nv()], model.armature().to_vec());
-        let mut pencil = Self { nodes, S, B: Vec::new(), armature, rerooted };
+        let hinges = Vec::with_capacity(model.nv());
+        let mut pencil = Self { nodes, S, B: Vec::new(), armature, hinges, rerooted };
         pencil.update(model, q)?;
         pencil.with_metric(B)
     }
@@ -143,7 +147,15 @@ impl<T: Real> Pencil<T> {
             B[..6].fill(T::ZERO);
         }
         self.B = B;
+        self.gather();
         Ok(self)
+    }
+
+    /// Brings B and armature into the order of the nodes.
+    fn gather(&mut self) {
+        let Self { nodes, B, armature, hinges, .. } = self;
+        hinges.clear();
+        hinges.extend(nodes.iter().flat_map(Node::dofs).map(|d| (B[d], armature[d])));
     }
 
     /// Number of eigenvalues: DoFs with B > 0.
@@ -165,6 +177,7 @@ impl<T: Real> Pencil<T> {
     pub(in crate::spectrum) fn set_metric(&mut self, own: &[T]) {
         let removed = if self.rerooted.is_some() { 6 } else { 0 };
         self.B[removed..].copy_from_slice(&own[removed..]);
+        self.gather();
     }
 
     /// True if the base is removed.

@@ -21,7 +21,8 @@ pub(super) fn sweep<T: Scalar, P: Pivots<T>>(
     stack: &mut Vec<ArticulatedInertia<T>>,
     pivots: &mut P,
 ) {
-    let Pencil { nodes, S, B, armature, .. } = pencil;
+    let Pencil { nodes, S, .. } = pencil;
+    let mut hinges = pencil.hinges.iter().rev();
     let mut carried = ArticulatedInertia::ZERO;
     for (i, node) in nodes.iter().enumerate().rev() {
         let I: RigidInertia<T> = node.I.map(T::constant);
@@ -31,8 +32,8 @@ pub(super) fn sweep<T: Scalar, P: Pivots<T>>(
             stack.pop();
         }
         pivots.body(i, &IA);
-        for (d, &column) in node.dofs().zip(node.columns).rev() {
-            let beta = shift.mul_add(T::constant(B[d]), -T::constant(armature[d]));
+        for ((d, &column), &(B, armature)) in node.dofs().zip(node.columns).rev().zip(&mut hinges) {
+            let beta = shift.mul_add(T::constant(B), -T::constant(armature));
             let hinge = eliminate(IA, column, S[d], beta);
             pivots.pivot(d, &hinge);
             IA = hinge.IA;
