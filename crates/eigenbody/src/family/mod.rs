@@ -156,7 +156,7 @@ impl Family {
     /// a link's inertia out of the scalar's range.
     pub fn model<T: Real>(&self) -> Result<Model<T>, BuildError> {
         let mut robot = ModelBuilder::new(self.name());
-        robot.gravity(Vec3::from_f64([0.0, -9.81, 0.0]));
+        robot.gravity(Vec3::from_f64([0.0, -9.81, 0.0])).reserve(self.n + 1);
         let mut links: Vec<LinkId> = Vec::with_capacity(self.n + 1);
         let mut sizes = Vec::with_capacity(self.n + 1);
         let skew = Mat3::rotation_about(Vec3::X, T::from_f64(self.skew).sin_cos());

@@ -137,6 +137,13 @@ impl<T: Real> ModelBuilder<T> {
         Self { name: name.into(), links: Vec::new(), joints: Vec::new(), gravity }
     }
 
+    /// Makes room for so many links and joints more.
+    pub fn reserve(&mut self, bodies: usize) -> &mut Self {
+        self.links.reserve(bodies);
+        self.joints.reserve(bodies);
+        self
+    }
+
     /// Adds a link with its inertia about its own frame's origin.
     pub fn link(&mut self, name: impl Into<Box<str>>, inertia: RigidInertia<T>) -> LinkId {
         self.links.push((name.into(), inertia));

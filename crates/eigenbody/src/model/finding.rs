@@ -91,14 +91,14 @@ pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
         if *inertia == RigidInertia::ZERO {
             continue;
         }
-        let (link, name) = (LinkId(i as u32), name.to_string());
+        let (link, name) = (LinkId(i as u32), || name.to_string());
         let principal = principal_moments(inertia);
         let [a, b, c] = principal;
         // Files round inertias to a few digits; an excess within 1e-6 of the moments is rounding.
         if a <= 0.0 {
-            findings.push(Finding::InertiaNotPositive { link, name, principal });
+            findings.push(Finding::InertiaNotPositive { link, name: name(), principal });
         } else if c > (a + b) * (1.0 + 1e-6) {
-            findings.push(Finding::TriangleInequality { link, name, principal });
+            findings.push(Finding::TriangleInequality { link, name: name(), principal });
         }
     }
     findings

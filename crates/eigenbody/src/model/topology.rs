@@ -1,8 +1,8 @@
 //! From links and joints in any order to a tree in pre-order.
 
-use super::builder::{JointId, LinkId, ModelBuilder};
+use super::builder::{JointId, JointSpec, LinkId, ModelBuilder};
 use super::error::BuildError;
-use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A link with the joint that carries it; none for the root.
 pub(super) struct Node {
@@ -18,67 +18,92 @@ pub(super) fn pre_order<T>(robot: &ModelBuilder<T>) -> Result<Vec<Node>, BuildEr
     let inbound = inbound_joints(robot)?;
     let root = single_root(robot, &inbound)?;
     let children = Children::new(robot);
-    let nodes = children.descend(robot, root, &vec![0; robot.links.len()]);
+    let nodes = children.descend(root, &vec![0; robot.links.len()]);
     if nodes.len() < robot.links.len() {
         return Err(find_loop(robot, &inbound, &nodes));
     }
-    let mut size = vec![1; robot.links.len()];
+    let mut size = vec![1u32; robot.links.len()];
     for node in nodes.iter().rev() {
         if let Some(j) = node.joint {
-            size[robot.joints[j].parent.index()] += size[node.link];
+            size[children.joints[j].parent.index()] += size[node.link];
         }
     }
-    Ok(children.descend(robot, root, &size))
+    Ok(children.descend(root, &size))
 }
 
 /// The joints that each link carries, as linked lists in the order of the joints.
 struct Children {
-    first: Vec<Option<usize>>,
-    next: Vec<Option<usize>>,
+    first: Vec<Option<JointId>>,
+    joints: Vec<Edge>,
+}
+
+/// What the tree knows of a joint.
+struct Edge {
+    parent: LinkId,
+    child: LinkId,
+    /// The next joint that the same link carries.
+    next: Option<JointId>,
 }
 
 impl Children {
     fn new<T>(robot: &ModelBuilder<T>) -> Self {
         let mut first = vec![None; robot.links.len()];
-        let mut next = vec![None; robot.joints.len()];
-        for (j, joint) in robot.joints.iter().enumerate().rev() {
-            next[j] = first[joint.parent.index()].replace(j);
+        let edge = |joint: &JointSpec<T>| Edge { parent: joint.parent, child: joint.child, next: None };
+        let mut joints: Vec<Edge> = robot.joints.iter().map(edge).collect();
+        for (j, joint) in joints.iter_mut().enumerate().rev() {
+            joint.next = first[joint.parent.index()].replace(JointId(j as u32));
         }
-        Self { first, next }
+        Self { first, joints }
     }
 
     /// Pre-order from `root`, siblings by ascending size.
-    fn descend<T>(&self, robot: &ModelBuilder<T>, root: usize, size: &[usize]) -> Vec<Node> {
-        let child = |j: usize| robot.joints[j].child.index();
-        let mut nodes = Vec::with_capacity(robot.links.len());
+    fn descend(&self, root: usize, size: &[u32]) -> Vec<Node> {
+        let edge = |j: JointId| &self.joints[j.index()];
+        let mut nodes = Vec::with_capacity(self.first.len());
         let mut stack = Vec::new();
         let mut visit = Some(Node { link: root, joint: None });
         while let Some(node) = visit {
             let waiting = stack.len();
-            stack.extend(std::iter::successors(self.first[node.link], |&j| self.next[j]));
+            stack.extend(std::iter::successors(self.first[node.link], |&j| edge(j).next));
             stack[waiting..].reverse();
-            stack[waiting..].sort_by_key(|&j| std::cmp::Reverse(size[child(j)]));
+            stack[waiting..].sort_by_key(|&j| std::cmp::Reverse(size[edge(j).child.index()]));
             nodes.push(node);
-            visit = stack.pop().map(|j| Node { link: child(j), joint: Some(j) });
+            visit = stack.pop().map(|j| Node { link: edge(j).child.index(), joint: Some(j.index()) });
         }
         nodes
     }
 }
 
 fn unique_names<T>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
-    let mut seen = HashMap::with_capacity(robot.links.len());
-    for (i, (name, _)) in robot.links.iter().enumerate() {
-        if seen.insert(name.as_ref(), i).is_some() {
-            return Err(BuildError::DuplicateLink { link: LinkId(i as u32), name: name.to_string() });
-        }
+    if let Some(i) = second_of_a_name(robot.links.len(), |i| &robot.links[i].0) {
+        return Err(BuildError::DuplicateLink { link: LinkId(i as u32), name: robot.links[i].0.to_string() });
     }
-    seen.clear();
-    for (j, joint) in robot.joints.iter().enumerate() {
-        if seen.insert(joint.name.as_str(), j).is_some() {
-            return Err(BuildError::DuplicateJoint { joint: JointId(j as u32), name: joint.name.clone() });
-        }
+    if let Some(j) = second_of_a_name(robot.joints.len(), |j| &robot.joints[j].name) {
+        return Err(BuildError::DuplicateJoint {
+            joint: JointId(j as u32),
+            name: robot.joints[j].name.clone(),
+        });
     }
     Ok(())
+}
+
+/// The first of `n` names that was there before. By sorted hashes: a table of a million names would wait for memory at each.
+fn second_of_a_name<'a>(n: usize, name: impl Fn(usize) -> &'a str) -> Option<usize> {
+    let hash = |i: usize| {
+        let mut hasher = DefaultHasher::new();
+        name(i).hash(&mut hasher);
+        (hasher.finish(), i as u32)
+    };
+    let mut hashes: Vec<(u64, u32)> = (0..n).map(hash).collect();
+    hashes.sort_unstable();
+    let same = |group: &[(u64, u32)]| {
+        let seconds = group.iter().enumerate().skip(1);
+        let mut again = seconds.filter(|(k, (_, i))| {
+            group[..*k].iter().any(|(_, before)| name(*before as usize) == name(*i as usize))
+        });
+        again.next().map(|(_, (_, i))| *i as usize)
+    };
+    hashes.chunk_by(|a, b| a.0 == b.0).filter_map(same).min()
 }
 
 /// The joint that carries each link.

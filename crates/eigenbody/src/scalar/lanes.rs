@@ -16,77 +16,79 @@ pub trait Lane: Scalar<Constant = f64> {
     fn split_exponent(self) -> (Self, Self);
 }
 
-/// Eight f64 in an array: the lanes of a machine without wide units, and the reference for those with them.
+/// N f64 in an array. Eight are the lanes of a machine without wide units, and the reference for those with them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Array8([f64; LANES]);
+pub struct Array<const N: usize>(pub [f64; N]);
 
-impl Array8 {
+impl<const N: usize> Array<N> {
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let mut out = self.0;
-        for (a, b) in out.iter_mut().zip(other.0) {
-            *a = f(*a, b);
+    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        for k in 0..N {
+            self.0[k] = f(self.0[k], other.0[k]);
         }
-        Self(out)
+        self
     }
 
     #[inline(always)]
-    fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self(self.0.map(f))
+    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for k in 0..N {
+            self.0[k] = f(self.0[k]);
+        }
+        self
     }
 }
 
 /// The operators of a lane type from its four named ones.
 macro_rules! lane_operators {
-    ($Type:ty) => {
-        impl Add for $Type {
+    ($Type:ty $(, $($generic:tt)*)?) => {
+        impl$(<$($generic)*>)? Add for $Type {
             type Output = Self;
             #[inline(always)]
             fn add(self, b: Self) -> Self {
                 self.plus(b)
             }
         }
-        impl Sub for $Type {
+        impl$(<$($generic)*>)? Sub for $Type {
             type Output = Self;
             #[inline(always)]
             fn sub(self, b: Self) -> Self {
                 self.minus(b)
             }
         }
-        impl Mul for $Type {
+        impl$(<$($generic)*>)? Mul for $Type {
             type Output = Self;
             #[inline(always)]
             fn mul(self, b: Self) -> Self {
                 self.times(b)
             }
         }
-        impl Div for $Type {
+        impl$(<$($generic)*>)? Div for $Type {
             type Output = Self;
             #[inline(always)]
             fn div(self, b: Self) -> Self {
                 self.over(b)
             }
         }
-        impl Neg for $Type {
+        impl$(<$($generic)*>)? Neg for $Type {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
                 self.negated()
             }
         }
-        impl AddAssign for $Type {
+        impl$(<$($generic)*>)? AddAssign for $Type {
             #[inline(always)]
             fn add_assign(&mut self, b: Self) {
                 *self = self.plus(b);
             }
         }
-        impl SubAssign for $Type {
+        impl$(<$($generic)*>)? SubAssign for $Type {
             #[inline(always)]
             fn sub_assign(&mut self, b: Self) {
                 *self = self.minus(b);
             }
         }
-        impl MulAssign for $Type {
+        impl$(<$($generic)*>)? MulAssign for $Type {
             #[inline(always)]
             fn mul_assign(&mut self, b: Self) {
                 *self = self.times(b);
@@ -96,7 +98,7 @@ macro_rules! lane_operators {
 }
 pub(super) use lane_operators;
 
-impl Array8 {
+impl<const N: usize> Array<N> {
     #[inline(always)]
     fn plus(self, b: Self) -> Self {
         self.zip(b, |a, b| a + b)
@@ -119,19 +121,19 @@ impl Array8 {
     }
 }
 
-lane_operators!(Array8);
+lane_operators!(Array<N>, const N: usize);
 
-impl Scalar for Array8 {
+impl<const N: usize> Scalar for Array<N> {
     type Constant = f64;
     #[inline(always)]
     fn constant(c: f64) -> Self {
         Self::from_f64(c)
     }
-    const ZERO: Self = Self([0.0; LANES]);
-    const ONE: Self = Self([1.0; LANES]);
+    const ZERO: Self = Self([0.0; N]);
+    const ONE: Self = Self([1.0; N]);
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
-        Self([x; LANES])
+        Self([x; N])
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -159,7 +161,7 @@ impl Scalar for Array8 {
     #[inline(always)]
     fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
         let mut out = no;
-        for k in 0..LANES {
+        for k in 0..N {
             if self.0[k] < other.0[k] {
                 out.0[k] = yes.0[k];
             }
@@ -168,7 +170,7 @@ impl Scalar for Array8 {
     }
 }
 
-impl Lane for Array8 {
+impl Lane for Array<LANES> {
     #[inline(always)]
     fn from_array(x: [f64; LANES]) -> Self {
         Self(x)

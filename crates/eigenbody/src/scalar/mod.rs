@@ -12,7 +12,7 @@ mod lanes;
 mod simd;
 
 pub use dd::Dd;
-pub use lanes::{Array8, LANES, Lane};
+pub use lanes::{Array, LANES, Lane};
 pub use simd::{LaneAlgorithm, dispatch};
 
 use std::fmt::Debug;

@@ -35,6 +35,30 @@ impl<T: Scalar> ArticulatedInertia<T> {
         Self { I: self.I.plus_outer(ns, n), H, M: self.M.plus_outer(fs, f) }
     }
 
+    /// In the frame from which E turns: Eᵀ I E, Eᵀ H E, Eᵀ M E.
+    #[inline(always)]
+    pub fn turned(self, E: Mat3<T>) -> Self {
+        Self { I: self.I.congruence(E), H: E.transpose() * self.H * E, M: self.M.congruence(E) }
+    }
+
+    /// [`turned`](Self::turned) for a turn about z by the angle with this sine and cosine: fewer than half the products.
+    #[inline(always)]
+    pub fn turned_about_z(self, turn: (T, T)) -> Self {
+        Self {
+            I: self.I.turned_about_z(turn),
+            H: self.H.turned_about_z(turn),
+            M: self.M.turned_about_z(turn),
+        }
+    }
+
+    /// About a point at −r, in parallel axes: M,  H' = H + [r]× M,  I' = I + [r]× Hᵀ − H' [r]×.
+    #[inline(always)]
+    pub fn shifted(self, r: Vec3<T>) -> Self {
+        let Self { I, H: H0, M } = self;
+        let H = H0 + Mat3::cross_times(r, M.full());
+        Self { I: I.plus_shift(r, H0, H), H, M }
+    }
+
     /// Column K of the 6 × 6 matrix.
     #[inline(always)]
     pub(crate) fn column<const K: usize>(&self) -> Force<T> {

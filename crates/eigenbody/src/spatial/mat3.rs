@@ -1,7 +1,7 @@
 //! 3 × 3 matrices.
 
 use super::{Sym3, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use std::ops::{Add, Mul, Sub};
 
 /// A 3 × 3 matrix, by rows.
@@ -75,6 +75,23 @@ impl<T: Scalar> Mat3<T> {
             xz: (self.x.z + self.z.x) * half,
             yz: (self.y.z + self.z.y) * half,
         }
+    }
+
+    /// Eᵀ A E with E a turn about z by the angle with this sine and cosine.
+    #[inline(always)]
+    pub fn turned_about_z(self, turn: (T, T)) -> Self {
+        let (x, y) = (self.x.turned_about_z(turn), self.y.turned_about_z(turn));
+        let (s, c) = turn;
+        Self { x: x.mul_add(c, -(y * s)), y: x.mul_add(s, y * c), z: self.z.turned_about_z(turn) }
+    }
+
+    /// Sine and cosine, if this is the coordinate rotation of a turn about z.
+    pub fn about_z(self) -> Option<(T, T)>
+    where
+        T: Real,
+    {
+        let turn = (self.x.y, self.x.x);
+        (self == Self::rotation_z(turn)).then_some(turn)
     }
 
     /// The entries in another scalar.

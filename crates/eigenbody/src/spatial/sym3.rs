@@ -86,6 +86,21 @@ impl<T: Scalar> Sym3<T> {
         }
     }
 
+    /// [`congruence`](Self::congruence) with a turn about z by the angle with this sine and cosine.
+    #[inline(always)]
+    pub fn turned_about_z(self, (s, c): (T, T)) -> Self {
+        let A = self.full();
+        let (x, y) = (A.x.turned_about_z((s, c)), A.y.turned_about_z((s, c)));
+        Self {
+            xx: c.mul_add(x.x, -(s * y.x)),
+            yy: s.mul_add(x.y, c * y.y),
+            zz: self.zz,
+            xy: c.mul_add(x.y, -(s * y.y)),
+            xz: c.mul_add(self.xz, -(s * self.yz)),
+            yz: s.mul_add(self.xz, c * self.yz),
+        }
+    }
+
     /// The entries in another scalar.
     #[inline(always)]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Sym3<U> {

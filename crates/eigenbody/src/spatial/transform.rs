@@ -77,10 +77,7 @@ impl<T: Scalar> Transform<T> {
     /// ```
     #[inline(always)]
     pub fn transpose_articulated(&self, A: ArticulatedInertia<T>) -> ArticulatedInertia<T> {
-        let M = A.M.congruence(self.E);
-        let H0 = self.E.transpose() * A.H * self.E;
-        let H = H0 + Mat3::cross_times(self.r, M.full());
-        ArticulatedInertia { I: A.I.congruence(self.E).plus_shift(self.r, H0, H), H, M }
+        A.turned(self.E).shifted(self.r)
     }
 
     /// The inverse transform.

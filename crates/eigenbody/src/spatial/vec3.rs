@@ -51,6 +51,12 @@ impl<T: Scalar> Vec3<T> {
         }
     }
 
+    /// Eᵀ a with E a turn about z by the angle with this sine and cosine.
+    #[inline(always)]
+    pub fn turned_about_z(self, (s, c): (T, T)) -> Self {
+        Self { x: c.mul_add(self.x, -(s * self.y)), y: s.mul_add(self.x, c * self.y), z: self.z }
+    }
+
     /// a s + b.
     #[inline(always)]
     pub fn mul_add(self, s: T, b: Self) -> Self {

@@ -7,11 +7,11 @@
 //! ```
 
 use super::bisect::Search;
-use super::rayleigh::{mode, quotient};
-use super::sturm::{Factors, Pencil, absolute_errors, counts};
+use super::rayleigh::{modes, quotients};
+use super::sturm::{Errors, Factors, Pencil, absolute_errors, counts};
 use crate::error::InputError;
 use crate::model::Model;
-use crate::scalar::LANES;
+use crate::scalar::{Array, LANES};
 
 /// Relative error estimate above which the double-double quotient is taken.
 const WELL_KNOWN: f64 = 1e-14;
@@ -100,17 +100,17 @@ pub(crate) fn extremes_from(
         return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
     }
     let (low, high, passes) = search(pencil, diagonal);
-    let mut factors = Factors::new(pencil);
-    let mut ending = Ending { model, q, pencil, precision, factors: &mut factors };
     let largest = high.value().unwrap_or(f64::INFINITY);
-    let max = ending.finish(largest, high.gap(largest), largest);
-    let min = match low.value() {
-        Some(value) => {
-            let extreme = ending.finish(value, low.gap(value), largest);
-            let below = known_bound(value * (1.0 + extreme.error_estimate), pencil, diagonal);
-            if extreme.error_estimate < 0.5 { Ok(extreme) } else { Err(Unresolved { below }) }
-        }
-        None => Err(Unresolved { below: known_bound(ending.resolution(), pencil, diagonal) }),
+    let gaps = [low.value().map_or(0.0, |value| low.gap(value)), high.gap(largest)];
+    let ending = Ending { model, q, pencil, precision, largest };
+    // Without a λmin, the mode of zero tells how far rounding reaches.
+    let ([min, max], errors) = ending.finish([low.value().unwrap_or(0.0), largest], gaps);
+    let min = if low.value().is_some() && min.error_estimate < 0.5 {
+        Ok(min)
+    } else {
+        let reach =
+            if low.value().is_some() { min.value * (1.0 + min.error_estimate) } else { errors[0].counted };
+        Err(Unresolved { below: known_bound(reach, pencil, diagonal) })
     };
     Ok(Extremes { min, max, passes })
 }
@@ -180,48 +180,57 @@ fn first_shifts(pencil: &Pencil<f64>, diagonal: &[f64]) -> [f64; LANES] {
     [0.0, 0.01 * min, 0.3 * min, min * (1.0 + 1e-9), inside, step(1.0 / 3.0), step(2.0 / 3.0), outside]
 }
 
-/// What is left to do when an eigenvalue is known.
+/// What is left to do when both eigenvalues are known.
 struct Ending<'a> {
     model: &'a Model<f64>,
     q: &'a [f64],
     pencil: &'a Pencil<f64>,
     precision: Precision,
-    factors: &'a mut Factors<f64>,
+    largest: f64,
 }
 
 impl Ending<'_> {
-    /// Mode, error estimate and, where that asks, the double-double quotient.
-    ///
-    /// The quotient errs by the square of the mode's error: of the error of the pencil over the gap to the next eigenvalue, and of
-    /// the last digit of every x_d, which the largest eigenvalue amplifies. The mechanism's own numbers are no better for it.
-    fn finish(&mut self, value: f64, gap: f64, largest: f64) -> Extreme {
-        let Self { model, q, pencil, precision, factors } = self;
-        let mut vector = mode(pencil, value, factors);
-        // Half the width of the last bracket, and rounding.
-        let errors = absolute_errors(pencil, value, factors.motions(), &vector);
-        let error = f64::EPSILON * value + errors.counted;
-        let estimate = error / value;
-        pencil.fill_base(factors.motions(), &mut vector);
-        let refine = match precision {
+    /// Modes, error estimates and, where those ask, double-double quotients; both ends side by side.
+    fn finish(&self, values: [f64; 2], gaps: [f64; 2]) -> ([Extreme; 2], [Errors; 2]) {
+        let Self { model, q, pencil, .. } = self;
+        let mut factors = Factors::new(pencil);
+        let mut x = modes(pencil, values, &mut factors);
+        let errors = absolute_errors(pencil, values, factors.motions(), &x);
+        pencil.fill_base(factors.motions(), &mut x);
+        drop(factors);
+        let estimate = |k: usize| (f64::EPSILON * values[k] + errors[k].counted) / values[k];
+        let extreme = |k: usize| Extreme {
+            value: values[k],
+            vector: x.iter().map(|x: &Array<2>| x.0[k]).collect(),
+            error_estimate: estimate(k),
+            counted_error: estimate(k),
+        };
+        let mut ends = [0, 1].map(extreme);
+        let asked: Vec<usize> = (0..2).filter(|&k| self.asks(estimate(k))).collect();
+        for (&k, refined) in asked.iter().zip(quotients(model, q, &x, pencil.metric(), &asked)) {
+            self.refine(&mut ends[k], refined, errors[k], gaps[k]);
+        }
+        (ends, errors)
+    }
+
+    fn asks(&self, estimate: f64) -> bool {
+        match self.precision {
             Precision::F64 => false,
             Precision::Auto => estimate > WELL_KNOWN,
             Precision::Dd => true,
-        };
-        if refine {
-            let refined = quotient(model, q, &vector, pencil.metric());
-            let digits = (0.5 * f64::EPSILON).powi(2) * largest;
-            let error_estimate =
-                ((errors.given + error * (error / gap) + digits) / value).max(4.0 * f64::EPSILON);
-            if (refined - value).abs() <= error && error_estimate < estimate {
-                return Extreme { value: refined, vector, error_estimate, counted_error: estimate };
-            }
         }
-        Extreme { value, vector, error_estimate: estimate, counted_error: estimate }
     }
 
-    /// How far rounding reaches where counts are positive at zero.
-    fn resolution(&mut self) -> f64 {
-        let x = mode(self.pencil, 0.0, self.factors);
-        absolute_errors(self.pencil, 0.0, self.factors.motions(), &x).counted
+    /// Takes the quotient if it lies within the error of the counts and is better known.
+    ///
+    /// It errs by the square of the mode's error: of the error of the pencil over the gap to the next eigenvalue, and of the last
+    /// digit of every x_d, which the largest eigenvalue amplifies. The mechanism's own numbers are no better for it.
+    fn refine(&self, end: &mut Extreme, refined: f64, errors: Errors, gap: f64) {
+        let error = end.counted_error * end.value;
+        let digits = (0.5 * f64::EPSILON).powi(2) * self.largest;
+        let estimate = ((errors.given + error * (error / gap) + digits) / end.value).max(4.0 * f64::EPSILON);
+        if (refined - end.value).abs() <= error && estimate < end.error_estimate {
+            (end.value, end.error_estimate) = (refined, estimate);
+        }
     }
 }

@@ -9,17 +9,53 @@
 use super::sturm::{Factors, Pencil};
 use crate::joint::Joint;
 use crate::model::{Body, Model, Random};
-use crate::scalar::{Dd, Real, Scalar};
+use crate::scalar::{Array, Dd, Real, Scalar};
 use crate::spatial::{Motion, Transform};
 
 /// Most rounds of inverse iteration; two suffice unless the start is nearly orthogonal to the mode.
 const ROUNDS: usize = 6;
 
-/// The mode of an eigenvalue, xᵀBx = 1 over the DoFs that take part, the largest entry (weighed by B) positive.
+/// The modes of eigenvalues side by side, xᵀBx = 1 over the DoFs that take part, the largest entry (weighed by B) positive.
 ///
 /// `factors` holds those of H − shift·B afterwards, with the bodies' motions under x.
-pub(super) fn mode(pencil: &Pencil<f64>, shift: f64, factors: &mut Factors<f64>) -> Vec<f64> {
+pub(super) fn modes<const N: usize>(
+    pencil: &Pencil<f64>,
+    shifts: [f64; N],
+    factors: &mut Factors<Array<N>>,
+) -> Vec<Array<N>> {
     let B = pencil.metric();
+    let mut x = start(B);
+    factors.factor(pencil, Array(shifts));
+    // Of each mode, until it has settled.
+    let (mut growth, mut settled) = ([0.0; N], [false; N]);
+    for _ in 0..ROUNDS {
+        for (x, &b) in x.iter_mut().zip(B) {
+            *x *= Array([b; N]);
+        }
+        factors.solve(pencil, &mut x);
+        let grown = normalise(&mut x, B);
+        factors.scale_motions(Array::ONE / Array(grown));
+        for k in 0..N {
+            // Growth is 1/|λ − σ| once the other modes have died out: it settles, or the residual 1/growth is all rounding.
+            settled[k] |= growth[k] > 0.0 && (grown[k] <= 1.5 * growth[k] || grown[k] * shifts[k] > 1e12);
+        }
+        if settled.iter().all(|&settled| settled) {
+            break;
+        }
+        growth = grown;
+    }
+    let signs = Array(std::array::from_fn(|k| {
+        let weighed = x.iter().zip(B).map(|(x, b)| x.0[k] * b.sqrt());
+        let largest = weighed.fold(0.0, |best: f64, x| if x.abs() > best.abs() { x } else { best });
+        if largest < 0.0 { -1.0 } else { 1.0 }
+    }));
+    x.iter_mut().for_each(|x| *x *= signs);
+    factors.scale_motions(signs);
+    x
+}
+
+/// A vector that is orthogonal to no mode, |x|_B = 1, the same in every lane.
+fn start<const N: usize>(B: &[f64]) -> Vec<Array<N>> {
     let mut random = Random::new(0x5eed);
     let mut x: Vec<f64> =
         B.iter().map(|&b| if b > 0.0 { random.between(0.5, 1.5) / b.sqrt() } else { 0.0 }).collect();
@@ -28,65 +64,60 @@ pub(super) fn mode(pencil: &Pencil<f64>, shift: f64, factors: &mut Factors<f64>)
             *x = -*x;
         }
     }
+    let mut x: Vec<_> = x.into_iter().map(|x| Array([x; N])).collect();
     normalise(&mut x, B);
-    factors.factor(pencil, shift);
-    let mut growth = 0.0;
-    for _ in 0..ROUNDS {
-        for (x, &b) in x.iter_mut().zip(B) {
-            *x *= b;
-        }
-        factors.solve(pencil, &mut x);
-        let grown = normalise(&mut x, B);
-        factors.scale_motions(1.0 / grown);
-        // Growth is 1/|λ − σ| once the other modes have died out: it settles, or the residual 1/growth is all rounding.
-        if growth > 0.0 && (grown <= 1.5 * growth || grown * shift > 1e12) {
-            break;
-        }
-        growth = grown;
-    }
-    let largest = x.iter().zip(B).fold((0.0, 1.0), |best, (&x, &b)| {
-        if x.abs() * b.sqrt() > best.0 { (x.abs() * b.sqrt(), x) } else { best }
-    });
-    if largest.1 < 0.0 {
-        x.iter_mut().for_each(|x| *x = -*x);
-        factors.scale_motions(-1.0);
-    }
     x
 }
 
-/// x / |x|_B; returns the norm. Scaled first: inverse iteration at an eigenvalue makes huge vectors.
-pub(super) fn normalise(x: &mut [f64], B: &[f64]) -> f64 {
-    let scale = x.iter().zip(B).fold(0.0f64, |m, (x, b)| m.max(x.abs() * b.sqrt()));
-    if !(scale > 0.0 && scale.is_finite()) {
-        return scale;
-    }
-    let sum: f64 = x.iter().zip(B).map(|(x, b)| (x / scale).powi(2) * b).sum();
-    let norm = scale * sum.sqrt();
-    x.iter_mut().for_each(|x| *x /= norm);
+/// x / |x|_B in every lane; returns the norms. Scaled first: inverse iteration at an eigenvalue makes huge vectors. What is zero or
+/// not finite stays as it is.
+pub(super) fn normalise<const N: usize>(x: &mut [Array<N>], B: &[f64]) -> [f64; N] {
+    let scale = x.iter().zip(B).fold(Array::ZERO, |m, (&x, &b)| (x.abs() * Array([b.sqrt(); N])).max(m));
+    let usable = scale.0.map(|scale| scale > 0.0 && scale.is_finite());
+    let unit = Array(std::array::from_fn(|k| if usable[k] { scale.0[k] } else { 1.0 }));
+    let square = |x: Array<N>| (x / unit) * (x / unit);
+    let sum = x.iter().zip(B).fold(Array::ZERO, |sum, (&x, &b)| sum + square(x) * Array([b; N]));
+    let norm = std::array::from_fn(|k| if usable[k] { scale.0[k] * sum.0[k].sqrt() } else { scale.0[k] });
+    let divisor = Array(std::array::from_fn(|k| if usable[k] { norm[k] } else { 1.0 }));
+    x.iter_mut().for_each(|x| *x = *x / divisor);
     norm
 }
 
-/// 2T(x)/xᵀBx in double-double, `x` over all DoFs of the model and `B` zero for those that take no part.
-pub(super) fn quotient(model: &Model<f64>, q: &[f64], x: &[f64], B: &[f64]) -> f64 {
+/// 2T(x)/xᵀBx in double-double, of those `lanes` of `x`, over all DoFs of the model; `B` is zero for those that take no part.
+pub(super) fn quotients<const N: usize>(
+    model: &Model<f64>,
+    q: &[f64],
+    x: &[Array<N>],
+    B: &[f64],
+    lanes: &[usize],
+) -> Vec<f64> {
+    if lanes.is_empty() {
+        return Vec::new();
+    }
     let wide = Dd::from_f64;
-    let mut v: Vec<Motion<Dd>> = Vec::with_capacity(model.bodies().len());
-    let mut twice = Dd::ZERO;
-    for body in model.bodies() {
+    let (bodies, armature) = (model.bodies(), model.armature());
+    // Bodies' velocities, one a lane.
+    let mut v: Vec<Motion<Dd>> = Vec::with_capacity(bodies.len() * lanes.len());
+    let mut twice = vec![Dd::ZERO; lanes.len()];
+    let mut norm = twice.clone();
+    for body in bodies {
         let (X_up, S) = posed(body, q);
-        let mut v_i = body.parent().map_or(Motion::ZERO, |p| X_up.motion(v[p]));
-        for (S, d) in S.into_iter().zip(body.dofs()) {
-            v_i += S * wide(x[d]);
+        let I = body.inertia().map(wide);
+        for (place, &k) in lanes.iter().enumerate() {
+            let carrier = |p: usize| X_up.motion(v[p * lanes.len() + place]);
+            let mut v_i = body.parent().map_or(Motion::ZERO, carrier);
+            for (S, d) in S.into_iter().zip(body.dofs()) {
+                let x_d = x[d].0[k];
+                v_i += S * wide(x_d);
+                let square = Dd::from_product(x_d, x_d);
+                twice[place] += square * wide(armature[d]);
+                norm[place] += square * wide(B[d]);
+            }
+            twice[place] += v_i.dot(I.times(v_i));
+            v.push(v_i);
         }
-        twice += v_i.dot(body.inertia().map(wide).times(v_i));
-        v.push(v_i);
     }
-    let mut norm = Dd::ZERO;
-    for (d, &x) in x.iter().enumerate() {
-        let square = Dd::from_product(x, x);
-        twice += square * wide(model.armature()[d]);
-        norm += square * wide(B[d]);
-    }
-    (twice / norm).to_f64()
+    twice.into_iter().zip(norm).map(|(twice, norm)| (twice / norm).to_f64()).collect()
 }
 
 /// X_up and S of a body in double-double.

@@ -1,4 +1,4 @@
-//! Both ends of the spectrum along a motion, at about one factorisation and one solve an end and step.
+//! Both ends of the spectrum along a motion, side by side, at about one factorisation and one solve a step.
 //!
 //! ```text
 //! σ ← λ extrapolated,  x ← mode extrapolated
@@ -12,10 +12,11 @@
 
 use super::extremes::cold;
 use super::metric::Metric;
-use super::rayleigh::{mode, normalise};
+use super::rayleigh::{modes, normalise};
 use super::sturm::{Diagonal, Factors, Pencil};
 use crate::error::InputError;
 use crate::model::Model;
+use crate::scalar::{Array, Scalar};
 
 /// Residual, against the eigenvalue, at which iteration stops: the value's error is its square over the gap.
 const RESIDUAL: f64 = 1e-8;
@@ -37,8 +38,8 @@ pub struct Reading {
 
 /// λmin and λmax along a motion.
 ///
-/// Starts cold; each [`update`](Self::update) costs about one factorisation and one solve an end, O(N), and allocates nothing unless
-/// an end is lost. Any pace: the coarser the steps, the more rounds or restarts.
+/// Starts cold; each [`update`](Self::update) costs about one factorisation and one solve of two lanes, O(N), and allocates nothing
+/// unless an end is lost. Any pace: the coarser the steps, the more rounds or restarts.
 ///
 /// ```
 /// use eigenbody::spectrum::{Metric, Tracker};
@@ -58,9 +59,11 @@ pub struct Tracker<'m> {
     pencil: Pencil<f64>,
     /// The unit-diagonal metric follows q.
     own: Option<Diagonal<f64>>,
-    factors: Factors<f64>,
-    /// The vector that is being iterated.
-    y: Vec<f64>,
+    factors: Factors<Array<2>>,
+    /// Both modes: the last ones, the ones before, and those that are being iterated.
+    x: Vec<Array<2>>,
+    before: Vec<Array<2>>,
+    y: Vec<Array<2>>,
     ends: [End; 2],
 }
 
@@ -72,9 +75,6 @@ struct End {
     /// The last values, the latest first; as many as `known` count.
     values: [f64; 3],
     known: usize,
-    /// The last mode and the one before.
-    x: Vec<f64>,
-    before: Vec<f64>,
 }
 
 impl<'m> Tracker<'m> {
@@ -102,10 +102,11 @@ impl<'m> Tracker<'m> {
         let Some(last) = pencil.len().checked_sub(1) else {
             return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
         };
-        let end = |index| End { index, values: [0.0; 3], known: 0, x: vec![0.0; nv], before: vec![0.0; nv] };
+        let end = |index| End { index, values: [0.0; 3], known: 0 };
         let own = matches!(metric, Metric::UnitDiagonal).then_some(diagonal);
         let factors = Factors::new(&pencil);
-        let mut tracker = Self { model, pencil, own, factors, y: vec![0.0; nv], ends: [end(0), end(last)] };
+        let [x, before, y] = [(); 3].map(|()| vec![Array::ZERO; nv]);
+        let mut tracker = Self { model, pencil, own, factors, x, before, y, ends: [end(0), end(last)] };
         for which in 0..2 {
             tracker.restart(which);
         }
@@ -121,69 +122,92 @@ impl<'m> Tracker<'m> {
             let diagonal = own.update(&self.pencil);
             self.pencil.set_metric(diagonal);
         }
-        Ok([self.follow(0), self.follow(1)])
+        Ok(self.follow())
     }
 
     /// The latest mode of λmin (0) or λmax (1): one number a DoF, xᵀBx = 1. A removed base has zeros.
-    pub fn mode(&self, which: usize) -> &[f64] {
-        &self.ends[which.min(1)].x
+    pub fn mode(&self, which: usize) -> impl ExactSizeIterator<Item = f64> {
+        self.x.iter().map(move |x| x.0[which.min(1)])
     }
 
-    fn follow(&mut self, which: usize) -> Reading {
-        let Self { pencil, factors, y, ends, .. } = self;
-        let (B, end) = (pencil.metric(), &mut ends[which]);
-        let mut shift = end.predict(y);
+    fn follow(&mut self) -> [Reading; 2] {
+        let mut shifts = self.predict();
+        let Self { pencil, factors, x, y, ends, .. } = self;
+        let B = pencil.metric();
+        let mut found: [Option<Reading>; 2] = [None; 2];
+        let mut lost = [false; 2];
         normalise(y, B);
         for round in 1..=ROUNDS {
-            end.x.copy_from_slice(y);
-            factors.factor(pencil, shift);
-            for ((y, x), b) in y.iter_mut().zip(&end.x).zip(B) {
-                *y = b * x;
+            x.copy_from_slice(y);
+            factors.factor(pencil, Array(shifts));
+            for ((y, &x), &b) in y.iter_mut().zip(&*x).zip(B) {
+                *y = Array([b; 2]) * x;
             }
             factors.solve(pencil, y);
             let growth = normalise(y, B);
-            let c: f64 = y.iter().zip(&end.x).zip(B).map(|((y, x), b)| y * b * x).sum();
-            let value = shift + c / growth;
-            let residual = (1.0 - c * c).max(0.0).sqrt() / growth;
-            if residual <= RESIDUAL * value.abs() {
-                let expected = end.index + usize::from(value < shift);
-                if factors.below != expected {
-                    break;
+            let c = y.iter().zip(&*x).zip(B).fold(Array::ZERO, |c, ((&y, &x), &b)| c + y * x * Array([b; 2]));
+            let sign = Array(c.0.map(f64::signum));
+            y.iter_mut().for_each(|y| *y *= sign);
+            for (k, end) in ends.iter().enumerate() {
+                // An end that is found stays at its shift while the other goes on: its mode only gets better.
+                if found[k].is_some() || lost[k] {
+                    continue;
                 }
-                end.settle(value, y, c.signum());
-                return Reading { value, residual, factorisations: round, restarted: false };
+                let value = shifts[k] + c.0[k] / growth[k];
+                let residual = (1.0 - c.0[k] * c.0[k]).max(0.0).sqrt() / growth[k];
+                if residual <= RESIDUAL * value.abs() {
+                    let expected = end.index + usize::from(value < shifts[k]);
+                    lost[k] = factors.below.0[k] as usize != expected;
+                    found[k] = Some(Reading { value, residual, factorisations: round, restarted: false });
+                } else if value.is_finite() {
+                    shifts[k] = value;
+                } else {
+                    lost[k] = true;
+                }
             }
-            if !value.is_finite() {
+            if (0..2).all(|k| found[k].is_some() || lost[k]) {
                 break;
             }
-            if c < 0.0 {
-                y.iter_mut().for_each(|y| *y = -*y);
-            }
-            shift = value;
         }
-        self.restart(which)
+        x.copy_from_slice(y);
+        [0, 1].map(|k| match found[k].filter(|_| !lost[k]) {
+            Some(reading) => {
+                self.ends[k].settle(reading.value);
+                reading
+            }
+            None => self.restart(k),
+        })
+    }
+
+    /// The next values by extrapolation through up to three, and the next modes, into `y`, through two; the last modes are kept.
+    fn predict(&mut self) -> [f64; 2] {
+        let Self { x, before, y, ends, .. } = self;
+        // x + forward (x − before)
+        let forward = Array([0, 1].map(|k| if ends[k].known > 1 { 1.0 } else { 0.0 }));
+        for ((y, &x), before) in y.iter_mut().zip(&*x).zip(before) {
+            *y = x + forward * (x - *before);
+            *before = x;
+        }
+        [0, 1].map(|k| ends[k].predict())
     }
 
     /// Finds an end by bisection, without what was known.
     fn restart(&mut self, which: usize) -> Reading {
-        let Self { pencil, factors, ends, .. } = self;
+        let Self { pencil, x, before, ends, .. } = self;
         let end = &mut ends[which];
         let value = cold(pencil, end.index).unwrap_or(0.0);
         end.known = 0;
-        let x = mode(pencil, value, factors);
-        end.settle(value, &x, 1.0);
-        end.before.copy_from_slice(&x);
+        end.settle(value);
+        let mode = modes(pencil, [value], &mut Factors::new(pencil));
+        for ((x, before), Array([mode])) in x.iter_mut().zip(before).zip(mode) {
+            (x.0[which], before.0[which]) = (mode, mode);
+        }
         Reading { value, residual: f64::EPSILON * value, factorisations: ROUNDS, restarted: true }
     }
 }
 
 impl End {
-    /// The next value by extrapolation through up to three, and the next mode, into `y`, through two; the last mode is kept.
-    fn predict(&mut self, y: &mut [f64]) -> f64 {
-        for ((y, x), before) in y.iter_mut().zip(&self.x).zip(&mut self.before) {
-            *y = if self.known > 1 { 2.0 * x - *before } else { *x };
-            *before = *x;
-        }
+    fn predict(&self) -> f64 {
         let [a, b, c] = self.values;
         match self.known {
             0 | 1 => a,
@@ -192,10 +216,7 @@ impl End {
         }
     }
 
-    fn settle(&mut self, value: f64, y: &[f64], sign: f64) {
-        for (x, y) in self.x.iter_mut().zip(y) {
-            *x = sign * y;
-        }
+    fn settle(&mut self, value: f64) {
         self.values = [value, self.values[0], self.values[1]];
         self.known = (self.known + 1).min(3);
     }

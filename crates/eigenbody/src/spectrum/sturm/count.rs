@@ -3,6 +3,7 @@
 use super::hinge::Hinge;
 use super::pencil::Pencil;
 use super::sweep::{Pivots, sweep};
+use crate::joint::Column;
 use crate::scalar::{LANES, Lane, LaneAlgorithm, Scalar, dispatch};
 use crate::spatial::ArticulatedInertia;
 
@@ -64,7 +65,7 @@ struct Tally<L> {
 
 impl<L: Lane + Scalar> Pivots<L> for Tally<L> {
     #[inline(always)]
-    fn pivot(&mut self, _: usize, hinge: &Hinge<L>) {
+    fn pivot(&mut self, _: usize, _: Column, hinge: &Hinge<L>) {
         self.below += hinge.D.select_lt(L::ZERO, L::ONE, L::ZERO);
         let (mantissa, exponent) = (self.mantissa * hinge.D).split_exponent();
         self.mantissa = mantissa;

@@ -5,6 +5,7 @@
 //! H*_dd = H_dd − F_dᵀ I₀⁻¹ F_d,   F_d = Ic_i S_d in the base's frame,  I₀ = Ic of the base
 //! ```
 
+use super::carry::Carry;
 use super::pencil::Pencil;
 use crate::scalar::Real;
 use crate::spatial::{Force, RigidInertia, Transform};
@@ -12,10 +13,10 @@ use crate::spatial::{Force, RigidInertia, Transform};
 /// The diagonal, with room for it.
 #[derive(Debug, Clone)]
 pub struct Diagonal<T> {
-    /// N: composite inertias.
+    /// N: composite inertias, and from the base to each body, where the base is removed.
     Ic: Vec<RigidInertia<T>>,
-    /// N: from the base to each body, where the base is removed.
     from_base: Vec<Transform<T>>,
+    waiting: Vec<RigidInertia<T>>,
     /// nv: H_dd or H*_dd.
     H: Vec<T>,
 }
@@ -23,27 +24,24 @@ pub struct Diagonal<T> {
 impl<T: Real> Diagonal<T> {
     /// Room for a pencil.
     pub fn new(pencil: &Pencil<T>) -> Self {
-        let n = pencil.nodes.len();
-        let from_base = if pencil.has_free_base() { vec![Transform::IDENTITY; n] } else { Vec::new() };
-        Self { Ic: vec![RigidInertia::ZERO; n], from_base, H: vec![T::ZERO; pencil.S.len()] }
+        let n = if pencil.has_free_base() { pencil.nodes.len() } else { 0 };
+        let (Ic, from_base) = (vec![RigidInertia::ZERO; n], vec![Transform::IDENTITY; n]);
+        Self { Ic, from_base, waiting: Vec::new(), H: vec![T::ZERO; pencil.S.len()] }
     }
 
-    /// The diagonal of the pencil's matrix as it stands, one number a DoF; allocates nothing.
+    /// The diagonal of the pencil's matrix as it stands, one number a DoF; allocates nothing after the first time.
     pub fn update(&mut self, pencil: &Pencil<T>) -> &[T] {
         let Pencil { nodes, S, armature, .. } = pencil;
-        let Self { Ic, H, .. } = self;
-        for (Ic, node) in Ic.iter_mut().zip(nodes) {
-            *Ic = node.I;
-        }
+        let Self { Ic, H, waiting, .. } = self;
+        let mut carry = Carry::new(RigidInertia::ZERO, waiting);
         for (i, node) in nodes.iter().enumerate().rev() {
-            if let Some(p) = node.parent() {
-                let carried = node.X_up.transpose_rigid(Ic[i]);
-                Ic[p] += carried;
-            }
-        }
-        for (node, Ic) in nodes.iter().zip(&*Ic) {
+            let Ic_i = carry.collect(node, node.I);
             for d in node.dofs() {
-                H[d] = S[d].dot(Ic.times(S[d])) + armature[d];
+                H[d] = S[d].dot(Ic_i.times(S[d])) + armature[d];
+            }
+            carry.hand_down(node.route, || node.X_up.transpose_rigid(Ic_i));
+            if let Some(kept) = Ic.get_mut(i) {
+                *kept = Ic_i;
             }
         }
         if pencil.has_free_base() {
@@ -53,7 +51,7 @@ impl<T: Real> Diagonal<T> {
     }
 
     fn remove_base(&mut self, Pencil { nodes, S, .. }: &Pencil<T>) {
-        let Self { Ic, from_base, H } = self;
+        let Self { Ic, from_base, H, .. } = self;
         let base = Cholesky6::new(&Ic[0]);
         for (i, node) in nodes.iter().enumerate() {
             let Some(p) = node.parent() else { continue };

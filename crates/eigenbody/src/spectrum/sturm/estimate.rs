@@ -13,9 +13,12 @@
 //! So the error is governed by what cancels inside each 6 × 6 inertia and in each body's motion, weighed by the body's part in
 //! the mode; the condition number of H does not enter.
 
-use super::hinge::Hinge;
+use super::carry::Carry;
+use super::hinge::{Hinge, moved};
 use super::pencil::{Node, Pencil};
 use super::sweep::{Pivots, sweep};
+use crate::joint::Column;
+use crate::scalar::{Array, Scalar};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Transform, Vec3};
 
 /// Estimated absolute errors of an eigenvalue.
@@ -27,19 +30,24 @@ pub(crate) struct Errors {
     pub given: f64,
 }
 
-/// Estimated errors of the eigenvalue `shift`. Its mode `x`, xᵀBx = 1, moves the bodies by `motions`; where a base was
+/// Estimated errors of the eigenvalues `shifts`. Their modes `x`, xᵀBx = 1, move the bodies by `motions`; where a base was
 /// removed, x holds the motion of the body that stands in for it.
-pub(crate) fn absolute_errors(
+pub(crate) fn absolute_errors<const N: usize>(
     pencil: &Pencil<f64>,
-    shift: f64,
-    motions: &[Motion<f64>],
-    x: &[f64],
-) -> Errors {
-    let mut sum = Sum { pencil, motions, x, children: children(pencil), a: Motion::ZERO, total: 0.0 };
-    sweep(pencil, shift, &mut Vec::new(), &mut sum);
+    shifts: [f64; N],
+    motions: &[Motion<Array<N>>],
+    x: &[Array<N>],
+) -> [Errors; N] {
+    let (children, a, total) = (children(pencil), Motion::ZERO, Array::ZERO);
+    let mut sum = Sum { pencil, motions, x, children, a, total };
+    sweep(pencil, Array(shifts), &mut Vec::new(), &mut sum);
     let geometry = geometry(pencil, x, motions);
-    let inertia: f64 = pencil.nodes.iter().zip(motions).map(|(node, &a)| size(&node.I.into(), a)).sum();
-    Errors { counted: f64::EPSILON * (sum.total + geometry), given: f64::EPSILON * (inertia + geometry) }
+    let inertia = |node: &Node<f64>, a| size(&node.I.map(Array::from_f64).into(), a);
+    let inertia =
+        pencil.nodes.iter().zip(motions).fold(Array::ZERO, |sum, (node, &a)| sum + inertia(node, a));
+    let (counted, given) = (sum.total + geometry, inertia + geometry);
+    let errors = |k| Errors { counted: f64::EPSILON * counted.0[k], given: f64::EPSILON * given.0[k] };
+    std::array::from_fn(errors)
 }
 
 /// How many bodies each body carries.
@@ -50,60 +58,68 @@ fn children(pencil: &Pencil<f64>) -> Vec<u32> {
 }
 
 /// |a|ᵀ |IA| |a|.
-fn size(IA: &ArticulatedInertia<f64>, a: Motion<f64>) -> f64 {
+#[inline(always)]
+fn size<T: Scalar>(IA: &ArticulatedInertia<T>, a: Motion<T>) -> T {
     let a = Motion::new(absolute(a.ang), absolute(a.lin));
-    let IA = ArticulatedInertia { I: IA.I.map(f64::abs), H: IA.H.map(f64::abs), M: IA.M.map(f64::abs) };
+    let IA = ArticulatedInertia { I: IA.I.map(T::abs), H: IA.H.map(T::abs), M: IA.M.map(T::abs) };
     a.dot(IA.times(a))
 }
 
 /// Σ |f_i|ᵀ (|X_up||a_p| + |S||x|).
-fn geometry(Pencil { nodes, S, .. }: &Pencil<f64>, x: &[f64], motions: &[Motion<f64>]) -> f64 {
-    let mut f = vec![Force::ZERO; nodes.len()];
-    let mut total = 0.0;
+fn geometry<T: Scalar<Constant = f64>>(
+    Pencil { nodes, S, .. }: &Pencil<f64>,
+    x: &[T],
+    motions: &[Motion<T>],
+) -> T {
+    let (mut total, mut waiting) = (T::ZERO, Vec::new());
+    let mut carry = Carry::new(Force::ZERO, &mut waiting);
     for (i, node) in nodes.iter().enumerate().rev() {
-        f[i] += node.I.times(motions[i]);
+        let f = carry.collect(node, node.I.map(T::constant).times(motions[i]));
+        let X_up = node.X_up.map(T::constant);
+        carry.hand_down(node.route, || X_up.transpose_force(f));
         let Some(p) = node.parent() else { continue };
-        let mut size = moved(&node.X_up, motions[p]);
-        for d in node.dofs() {
-            size += Motion::new(absolute(S[d].ang), absolute(S[d].lin)) * x[d].abs();
+        let mut size = reach(&X_up, motions[p]);
+        for (d, &column) in node.dofs().zip(node.columns) {
+            let S = Motion::new(absolute(S[d].ang), absolute(S[d].lin));
+            size = moved(size, column, S, x[d].abs());
         }
-        total += size.dot(Force::new(absolute(f[i].ang), absolute(f[i].lin)));
-        let carried = node.X_up.transpose_force(f[i]);
-        f[p] += carried;
+        total += size.dot(Force::new(absolute(f.ang), absolute(f.lin)));
     }
     total
 }
 
 /// |X||m|: what a motion's coordinates are sums of.
-fn moved(X: &Transform<f64>, m: Motion<f64>) -> Motion<f64> {
-    let (E, r, ang, lin) = (X.E.map(f64::abs), absolute(X.r), absolute(m.ang), absolute(m.lin));
+fn reach<T: Scalar>(X: &Transform<T>, m: Motion<T>) -> Motion<T> {
+    let (E, r, ang, lin) = (X.E.map(T::abs), absolute(X.r), absolute(m.ang), absolute(m.lin));
     let arm = Vec3::new(r.y * ang.z + r.z * ang.y, r.z * ang.x + r.x * ang.z, r.x * ang.y + r.y * ang.x);
     Motion::new(E * ang, E * (lin + arm))
 }
 
-struct Sum<'a> {
+struct Sum<'a, T> {
     pencil: &'a Pencil<f64>,
-    motions: &'a [Motion<f64>],
-    x: &'a [f64],
+    motions: &'a [Motion<T>],
+    x: &'a [T],
     children: Vec<u32>,
     /// Motion between the hinges of a body: outboard of the next one to be eliminated.
-    a: Motion<f64>,
-    total: f64,
+    a: Motion<T>,
+    total: T,
 }
 
-fn absolute(v: Vec3<f64>) -> Vec3<f64> {
-    v.map(f64::abs)
+fn absolute<T: Scalar>(v: Vec3<T>) -> Vec3<T> {
+    v.map(T::abs)
 }
 
-impl Pivots<f64> for Sum<'_> {
-    fn pivot(&mut self, d: usize, hinge: &Hinge<f64>) {
-        self.a += -(self.pencil.S[d] * self.x[d]);
+impl<T: Scalar<Constant = f64>> Pivots<T> for Sum<'_, T> {
+    #[inline(always)]
+    fn pivot(&mut self, d: usize, column: Column, hinge: &Hinge<T>) {
+        self.a = moved(self.a, column, self.pencil.S[d], -self.x[d]);
         self.total += size(&hinge.IA, self.a);
     }
 
-    fn body(&mut self, i: usize, IA: &ArticulatedInertia<f64>) {
+    #[inline(always)]
+    fn body(&mut self, i: usize, IA: &ArticulatedInertia<T>) {
         self.a = self.motions[i];
         // A sum of as many terms.
-        self.total += f64::from(self.children[i].max(1)) * size(IA, self.a);
+        self.total += T::from_f64(f64::from(self.children[i].max(1))) * size(IA, self.a);
     }
 }

@@ -13,6 +13,7 @@
 //! A DoF with B_d = 0 takes no part in the pencil: the six columns of a floating base with B = 0 give the counts of the
 //! free-floating H*, because Schur's complement of H_bb in H − σB is H* − σB_j.
 
+mod carry;
 mod count;
 mod diagonal;
 mod estimate;
@@ -23,6 +24,6 @@ mod sweep;
 
 pub use count::{Count, counts};
 pub use diagonal::Diagonal;
-pub(super) use estimate::absolute_errors;
+pub(super) use estimate::{Errors, absolute_errors};
 pub use pencil::Pencil;
 pub(super) use solve::Factors;

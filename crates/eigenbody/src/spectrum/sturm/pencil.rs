@@ -5,7 +5,7 @@ use crate::dynamics::{Kinematics, Rerooted, TreeBody};
 use crate::error::InputError;
 use crate::joint::Column;
 use crate::model::{Model, check};
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::spatial::{Motion, RigidInertia, Transform};
 use std::ops::Range;
 
@@ -39,6 +39,8 @@ struct Seen<T> {
 pub(super) struct Node<T> {
     pub I: RigidInertia<T>,
     pub X_up: Transform<T>,
+    /// X_up turns about z alone, as where axes are parallel.
+    pub about_z: bool,
     pub columns: &'static [Column],
     pub v0: u32,
     pub parent: u32,
@@ -65,6 +67,11 @@ impl<T: Real> Node<T> {
     pub fn dofs(&self) -> Range<usize> {
         let v0 = self.v0 as usize;
         v0..v0 + self.columns.len()
+    }
+
+    fn place(&mut self, X_up: Transform<T>) {
+        self.X_up = X_up;
+        self.about_z = X_up.E.about_z().is_some();
     }
 
     #[inline(always)]
@@ -119,7 +126,7 @@ impl<T: Real> Pencil<T> {
             None => {
                 for (node, body) in nodes.iter_mut().zip(model.bodies()) {
                     let X_J = body.joint().kinematics(&q[body.coordinates()], &mut S[body.dofs()]);
-                    node.X_up = X_J * *body.tree_transform();
+                    node.place(X_J * *body.tree_transform());
                 }
             }
             Some(seen) => {
@@ -127,7 +134,7 @@ impl<T: Real> Pencil<T> {
                 kinematics.update(model, q);
                 tree.update(model, kinematics);
                 for (node, X_up) in nodes.iter_mut().zip(&tree.kinematics.X_up) {
-                    node.X_up = *X_up;
+                    node.place(*X_up);
                 }
                 S.copy_from_slice(&tree.kinematics.S);
             }
@@ -186,7 +193,7 @@ impl<T: Real> Pencil<T> {
     }
 
     /// Where the base was removed, the six numbers of `x` that are the base's: how it moves along, from all bodies' motions.
-    pub(in crate::spectrum) fn fill_base(&self, motions: &[Motion<T>], x: &mut [T]) {
+    pub(in crate::spectrum) fn fill_base<L: Scalar>(&self, motions: &[Motion<L>], x: &mut [L]) {
         if let Some(seen) = &self.rerooted {
             x[..6].copy_from_slice(&motions[seen.tree.place_of_base()].to_array());
         }
@@ -214,6 +221,7 @@ fn nodes<T: Real, N: TreeBody<T>>(
     let node = |(i, body): (usize, &N)| Node {
         I: body.inertia(),
         X_up: Transform::IDENTITY,
+        about_z: true,
         columns: columns(i),
         v0: body.dofs().start as u32,
         parent: body.parent().unwrap_or(0) as u32,

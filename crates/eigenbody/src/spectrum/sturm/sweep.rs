@@ -1,14 +1,16 @@
 //! The backward sweep: every hinge eliminated, tips first.
 
+use super::carry::Carry;
 use super::hinge::{Hinge, eliminate};
-use super::pencil::{Pencil, Route};
+use super::pencil::Pencil;
+use crate::joint::Column;
 use crate::scalar::Scalar;
-use crate::spatial::{ArticulatedInertia, RigidInertia};
+use crate::spatial::ArticulatedInertia;
 
 /// Sees every pivot as it is made.
 pub(super) trait Pivots<T> {
-    /// DoF d was eliminated.
-    fn pivot(&mut self, d: usize, hinge: &Hinge<T>);
+    /// DoF d, with this column of S, was eliminated.
+    fn pivot(&mut self, d: usize, column: Column, hinge: &Hinge<T>);
     /// Body i is reached, with this articulated inertia before its own hinges are eliminated.
     fn body(&mut self, i: usize, IA: &ArticulatedInertia<T>);
 }
@@ -23,30 +25,25 @@ pub(super) fn sweep<T: Scalar, P: Pivots<T>>(
 ) {
     let Pencil { nodes, S, .. } = pencil;
     let mut hinges = pencil.hinges.iter().rev();
-    let mut carried = ArticulatedInertia::ZERO;
+    let mut carry = Carry::new(ArticulatedInertia::ZERO, stack);
     for (i, node) in nodes.iter().enumerate().rev() {
-        let I: RigidInertia<T> = node.I.map(T::constant);
-        let mut IA = carried + I.into();
-        if let (true, Some(others)) = (node.collects, stack.last()) {
-            IA += *others;
-            stack.pop();
-        }
+        let mut IA = carry.collect(node, node.I.map(T::constant).into());
         pivots.body(i, &IA);
         for ((d, &column), &(B, armature)) in node.dofs().zip(node.columns).rev().zip(&mut hinges) {
             let beta = shift.mul_add(T::constant(B), -T::constant(armature));
             let hinge = eliminate(IA, column, S[d], beta);
-            pivots.pivot(d, &hinge);
+            pivots.pivot(d, column, &hinge);
             IA = hinge.IA;
         }
-        carried = ArticulatedInertia::ZERO;
-        if node.route == Route::World {
-            continue;
-        }
-        let up = node.X_up.map(T::constant).transpose_articulated(IA);
-        match (node.route, stack.last_mut()) {
-            (Route::Next, _) => carried = up,
-            (Route::Add, Some(top)) => *top += up,
-            _ => stack.push(up),
-        }
+        carry.hand_down(
+            node.route,
+            #[inline(always)]
+            || {
+                let X_up = node.X_up.map(T::constant);
+                let turn = (X_up.E.x.y, X_up.E.x.x);
+                let turned = if node.about_z { IA.turned_about_z(turn) } else { IA.turned(X_up.E) };
+                turned.shifted(X_up.r)
+            },
+        );
     }
 }
