@@ -2,6 +2,7 @@
 
 use eigenbody::{Conditioning, Method, Metric};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// One mode: a vector over the DoFs, and the DoFs' names in the same order.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -9,7 +10,7 @@ pub struct ModeReport {
     /// Components in DoF order, xᵀBx = 1, the largest positive.
     pub vector: Vec<f64>,
     /// Name of each DoF.
-    pub joints: Vec<String>,
+    pub joints: Arc<[String]>,
     /// Part of each DoF in the mode, B_dd x_d²; they sum to one.
     pub share: Vec<f64>,
 }
@@ -102,8 +103,9 @@ impl SpectrumReport {
         metric: &Metric<f64>,
         unit: &'static str,
         result: &Conditioning<f64>,
-        names: &[String],
+        names: Vec<String>,
     ) -> Self {
+        let names: Arc<[String]> = names.into();
         let finite = |x: Option<f64>| x.filter(|x| x.is_finite());
         let mut notes = result.notes.clone();
         let ends = result.bracket.map(|(lo, hi)| [lo, hi]);
@@ -113,7 +115,7 @@ impl SpectrumReport {
         }
         let mode = |vector: &Vec<f64>| ModeReport {
             vector: vector.clone(),
-            joints: names.to_vec(),
+            joints: Arc::clone(&names),
             share: vector.iter().zip(&result.weights).map(|(x, b)| b * x * x).collect(),
         };
         Self {

@@ -36,7 +36,7 @@ fn report(system: &System, metric: Metric<f64>, args: &SpectrumArgs) -> Result<S
     };
     let result = conditioning_at(model, &system.q, &question).map_err(|error| system.failure(error))?;
     let unit = question.metric.unit(dofs.iter().map(|&d| model.is_translation(d)));
-    let report = SpectrumReport::new(system.subject(), &question.metric, unit, &result, &system.dof_names());
+    let report = SpectrumReport::new(system.subject(), &question.metric, unit, &result, system.dof_names());
     let count_below = match args.count_below {
         Some(sigma) => Some(count(system, &question, sigma)?),
         None => None,

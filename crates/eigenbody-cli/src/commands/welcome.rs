@@ -25,7 +25,7 @@ fn page(arm: &Model<f64>) -> Result<String, Error> {
         q: Q.to_vec(),
     };
     let names: Vec<String> = (0..arm.nv()).map(|d| arm.dof_name(d)).collect();
-    let report = SpectrumReport::new(subject, &Metric::Euclidean, "kg m²", &result, &names);
+    let report = SpectrumReport::new(subject, &Metric::Euclidean, "kg m²", &result, names);
 
     let bare = arm.clone().with_armature(vec![0.0; arm.nv()])?;
     let without = judge(&bare)?;

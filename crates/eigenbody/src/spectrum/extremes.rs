@@ -54,7 +54,7 @@ pub struct Extremes {
 pub enum Precision {
     /// Never.
     F64,
-    /// Where the error estimate exceeds 1e-14.
+    /// Where the error estimate exceeds 1e-14 and would fall to a fourth.
     #[default]
     Auto,
     /// Always.
@@ -206,31 +206,34 @@ impl Ending<'_> {
             counted_error: estimate(k),
         };
         let mut ends = [0, 1].map(extreme);
-        let asked: Vec<usize> = (0..2).filter(|&k| self.asks(estimate(k))).collect();
-        for (&k, refined) in asked.iter().zip(quotients(model, q, &x, pencil.metric(), &asked)) {
-            self.refine(&mut ends[k], refined, errors[k], gaps[k]);
+        let refined = [0, 1].map(|k| self.quotient_error(&ends[k], errors[k], gaps[k]));
+        let asked: Vec<usize> = (0..2).filter(|&k| self.asks(ends[k].counted_error, refined[k])).collect();
+        for (&k, quotient) in asked.iter().zip(quotients(model, q, &x, pencil.metric(), &asked)) {
+            // Taken if it lies within the error of the counts and is better known.
+            let end = &mut ends[k];
+            let agrees = (quotient - end.value).abs() <= end.counted_error * end.value;
+            if agrees && refined[k] < end.error_estimate {
+                (end.value, end.error_estimate) = (quotient, refined[k]);
+            }
         }
         (ends, errors)
     }
 
-    fn asks(&self, estimate: f64) -> bool {
+    /// Whether a quotient is worth its cost: it must promise a fourth of the error or less.
+    fn asks(&self, counted: f64, refined: f64) -> bool {
         match self.precision {
             Precision::F64 => false,
-            Precision::Auto => estimate > WELL_KNOWN,
+            Precision::Auto => counted > WELL_KNOWN && !(refined > 0.25 * counted),
             Precision::Dd => true,
         }
     }
 
-    /// Takes the quotient if it lies within the error of the counts and is better known.
-    ///
-    /// It errs by the square of the mode's error: of the error of the pencil over the gap to the next eigenvalue, and of the last
-    /// digit of every x_d, which the largest eigenvalue amplifies. The mechanism's own numbers are no better for it.
-    fn refine(&self, end: &mut Extreme, refined: f64, errors: Errors, gap: f64) {
+    /// Relative error of the quotient: the square of the mode's error, which is that of the pencil over the gap to the next
+    /// eigenvalue, and of the last digit of every x_d, which the largest eigenvalue amplifies. The mechanism's own numbers are no
+    /// better for it.
+    fn quotient_error(&self, end: &Extreme, errors: Errors, gap: f64) -> f64 {
         let error = end.counted_error * end.value;
         let digits = (0.5 * f64::EPSILON).powi(2) * self.largest;
-        let estimate = ((errors.given + error * (error / gap) + digits) / end.value).max(4.0 * f64::EPSILON);
-        if (refined - end.value).abs() <= error && estimate < end.error_estimate {
-            (end.value, end.error_estimate) = (refined, estimate);
-        }
+        ((errors.given + error * (error / gap) + digits) / end.value).max(4.0 * f64::EPSILON)
     }
 }
