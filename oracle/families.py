@@ -13,14 +13,11 @@ from dataclasses import asdict, dataclass
 
 from flint import arb, ctx
 
+from spatial import Matrix, Vector, cross, dot, plus, spatial_inertia, times, transposed, turn_x, turn_z
 from spectrum import ends
 
 ctx.prec = 1400
 PRINTED = 20
-
-Vector = list[arb]
-Matrix = list[list[arb]]
-
 
 @dataclass(frozen=True)
 class Robot:
@@ -42,48 +39,8 @@ def exact(text: str) -> arb:
     return value * arb.pi() if factor != text else value
 
 
-def dot(a: Vector, b: Vector) -> arb:
-    return sum((x * y for x, y in zip(a, b, strict=True)), arb(0))
-
-
-def transposed(A: Matrix) -> Matrix:
-    return [list(column) for column in zip(*A, strict=True)]
-
-
-def times(A: Matrix, B: Matrix) -> Matrix:
-    return [[dot(row, column) for column in transposed(B)] for row in A]
-
-
-def plus(A: Matrix, B: Matrix) -> Matrix:
-    return [[a + b for a, b in zip(x, y, strict=True)] for x, y in zip(A, B, strict=True)]
-
-
-def cross(a: Vector) -> Matrix:
-    x, y, z = a
-    return [[arb(0), -z, y], [z, arb(0), -x], [-y, x, arb(0)]]
-
-
-def turn_x(angle: arb) -> Matrix:
-    s, c, one, zero = angle.sin(), angle.cos(), arb(1), arb(0)
-    return [[one, zero, zero], [zero, c, -s], [zero, s, c]]
-
-
-def turn_z(angle: arb) -> Matrix:
-    s, c, one, zero = angle.sin(), angle.cos(), arb(1), arb(0)
-    return [[c, -s, zero], [s, c, zero], [zero, zero, one]]
-
-
 def along_x(origin: Vector, R: Matrix, length: arb) -> Vector:
     return [p + row[0] * length for p, row in zip(origin, R, strict=True)]
-
-
-def spatial_inertia(m: arb, com: Vector, I: Matrix) -> Matrix:
-    """About the world's origin, [angular; linear]: [I - m c x c x, m c x; -m c x, m]."""
-    C = cross(com)
-    CC = times(C, C)
-    upper = [[I[i][j] - m * CC[i][j] for j in range(3)] + [m * C[i][j] for j in range(3)] for i in range(3)]
-    lower = [[-m * C[i][j] for j in range(3)] + [m if i == j else arb(0) for j in range(3)] for i in range(3)]
-    return upper + lower
 
 
 def own_inertia(robot: Robot, size: arb) -> tuple[arb, Vector]:

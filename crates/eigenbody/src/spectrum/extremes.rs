@@ -15,6 +15,8 @@ use crate::scalar::{Array, LANES};
 
 /// Relative error estimate above which the double-double quotient is taken.
 const WELL_KNOWN: f64 = 1e-14;
+/// Relative error estimate above which every digit is worth it.
+const BADLY_KNOWN: f64 = 1e-9;
 /// More passes than any spectrum has needed; a guard, not a budget.
 const MAX_PASSES: usize = 200;
 
@@ -54,7 +56,7 @@ pub struct Extremes {
 pub enum Precision {
     /// Never.
     F64,
-    /// Where the error estimate exceeds 1e-14 and would fall to a fourth.
+    /// Where the error estimate exceeds 1e-14 and would fall to a fourth, or where it exceeds 1e-9.
     #[default]
     Auto,
     /// Always.
@@ -219,11 +221,11 @@ impl Ending<'_> {
         (ends, errors)
     }
 
-    /// Whether a quotient is worth its cost: it must promise a fourth of the error or less.
+    /// Whether a quotient is worth its cost: where digits are few, or where it promises a fourth of the error.
     fn asks(&self, counted: f64, refined: f64) -> bool {
         match self.precision {
             Precision::F64 => false,
-            Precision::Auto => counted > WELL_KNOWN && !(refined > 0.25 * counted),
+            Precision::Auto => counted > WELL_KNOWN && (counted > BADLY_KNOWN || refined <= 0.25 * counted),
             Precision::Dd => true,
         }
     }
