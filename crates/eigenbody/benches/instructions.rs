@@ -36,16 +36,16 @@ fn at_most(instructions: u64) -> LibraryBenchmarkConfig {
 
 // One sweep of eight shifts over 1000 bodies.
 #[library_benchmark]
-#[bench::chain(args = (1000, 1.0, 0.0), setup = pencil, config = at_most(1_290_000))]
-#[bench::tree(args = (1000, 2.0, 0.5), setup = pencil, config = at_most(1_440_000))]
+#[bench::chain(args = (1000, 1.0, 0.0), setup = pencil, config = at_most(860_000))]
+#[bench::tree(args = (1000, 2.0, 0.5), setup = pencil, config = at_most(1_480_000))]
 fn sweep(pencil: Pencil<f64>) -> [Count; 8] {
     counts(&pencil, black_box(SHIFTS))
 }
 
 // Both extremes with modes, from model and q.
 #[library_benchmark]
-#[bench::chain(args = (100, 1.0, 0.0), setup = robot, config = at_most(2_500_000))]
-#[bench::tree(args = (100, 2.0, 0.5), setup = robot, config = at_most(2_500_000))]
+#[bench::chain(args = (100, 1.0, 0.0), setup = robot, config = at_most(1_640_000))]
+#[bench::tree(args = (100, 2.0, 0.5), setup = robot, config = at_most(2_760_000))]
 fn cold((model, q): (Model<f64>, Vec<f64>)) -> Extremes {
     let pencil = Pencil::new(&model, &q, vec![1.0; model.nv()]).unwrap();
     extremes(&model, &q, &pencil, Precision::Auto).unwrap()

@@ -5,6 +5,7 @@ mod bias;
 mod crba;
 mod energy;
 mod floating;
+mod gradient;
 mod kinematics;
 mod momentum;
 mod reduction;
