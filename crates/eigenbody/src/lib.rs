@@ -31,6 +31,7 @@ pub mod joint;
 pub mod matrix;
 pub mod model;
 pub mod scalar;
+pub mod search;
 pub mod spatial;
 pub mod spectrum;
 

@@ -38,4 +38,5 @@ mod model;
 mod reference;
 mod robots;
 mod scalar;
+mod search;
 mod spectrum;

@@ -56,6 +56,20 @@ impl<T: Real> Coupling<T> {
         self.coordinates.iter().map(|f| f.multiplier * p[f.source as usize] + f.offset).collect()
     }
 
+    /// v = G ṗ.
+    pub fn push_forward(&self, p: &[T]) -> Vec<T> {
+        self.dofs.iter().map(|f| f.multiplier * p[f.source as usize]).collect()
+    }
+
+    /// Gᵀ f: forces or gradients on the independent DoFs.
+    pub fn pull_back(&self, f: &[T]) -> Vec<T> {
+        let mut reduced = vec![T::ZERO; self.nv()];
+        for (follow, &f) in self.dofs.iter().zip(f) {
+            reduced[follow.source as usize] += follow.multiplier * f;
+        }
+        reduced
+    }
+
     /// H_reduced = Gᵀ H G.
     pub fn reduce(&self, H: &Matrix<T>) -> Matrix<T> {
         let mut reduced = Matrix::zeros(self.nv(), self.nv());

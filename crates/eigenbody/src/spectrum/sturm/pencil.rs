@@ -180,10 +180,10 @@ impl<T: Real> Pencil<T> {
         &self.B
     }
 
-    /// B = diag(H), from the diagonal as it stands; a removed base keeps B = 0.
-    pub(in crate::spectrum) fn set_metric(&mut self, own: &[T]) {
+    /// Another metric that has been checked; a removed base keeps B = 0.
+    pub(crate) fn set_metric(&mut self, B: &[T]) {
         let removed = if self.rerooted.is_some() { 6 } else { 0 };
-        self.B[removed..].copy_from_slice(&own[removed..]);
+        self.B[removed..].copy_from_slice(&B[removed..]);
         self.gather();
     }
 

@@ -1,0 +1,177 @@
+//! The measures of a configuration, and their gradients.
+//!
+//! ```text
+//! dλ = vᵀ dH v − λ Σ x_d² dB_dd        x the mode, xᵀBx = 1;  v = G x, with the base's own motion where it is removed
+//! dB_dd = e_dᵀ dH e_d                   where B = diag(H), else zero;  e_d moved along in the same way
+//! d(λmin/λmax) = (dλmin − λmin/λmax dλmax)/λmax
+//! ```
+//! Every vᵀ dH v is twice a gradient of the kinetic energy, O(N). The base needs no term of its own: its motion makes the energy
+//! stationary.
+
+use super::measure::{Measure, Values};
+use crate::conditioning::{Method, Question, conditioning_at};
+use crate::dynamics::{GradientWorkspace, Reduction, kinetic_energy_gradient_into, mass_matrix};
+use crate::error::{Error, InputError};
+use crate::matrix::Matrix;
+use crate::model::Model;
+use crate::spectrum::sturm::{Diagonal, Pencil};
+use crate::spectrum::{Metric, Precision, extreme_values};
+
+/// Degrees of freedom of a floating base.
+const BASE: usize = 6;
+
+/// Measures a robot in one configuration after another.
+#[derive(Debug, Clone)]
+pub struct Evaluator<'m> {
+    model: &'m Model<f64>,
+    reduction: Reduction,
+    metric: Metric<f64>,
+    tree: Option<(Pencil<f64>, Diagonal<f64>)>,
+    workspace: GradientWorkspace<f64>,
+    one: Vec<f64>,
+}
+
+impl<'m> Evaluator<'m> {
+    /// For a robot, the degrees of freedom that are studied, and the metric of κ.
+    ///
+    /// Errors: [`InputError`] if there is no floating base to remove.
+    pub fn new(model: &'m Model<f64>, reduction: Reduction, metric: Metric<f64>) -> Result<Self, InputError> {
+        let coupled = reduction.mimic && model.coupling().is_some();
+        let tree = if coupled || model.nv() == 0 {
+            None
+        } else {
+            let (q, unit) = (model.neutral(), vec![1.0; model.nv()]);
+            let pencil = match reduction.base {
+                true => Pencil::free_floating(model, &q, unit)?,
+                false => Pencil::new(model, &q, unit)?,
+            };
+            let diagonal = Diagonal::new(&pencil);
+            Some((pencil, diagonal))
+        };
+        let (workspace, one) = (GradientWorkspace::new(model), vec![0.0; model.nv()]);
+        Ok(Self { model, reduction, metric, tree, workspace, one })
+    }
+
+    /// The measures at q.
+    ///
+    /// Method: counts alone, about 12 sweeps each for κ and κ′; from the matrix where mimic joints follow.
+    ///
+    /// Errors: [`Error`] if q or the metric does not fit.
+    pub fn values(&mut self, q: &[f64]) -> Result<Values, Error> {
+        let Self { model, reduction, metric, tree, .. } = self;
+        let Some((pencil, diagonal)) = tree else {
+            let question = Question { method: Method::Dense, ..self.question(self.metric.clone()) };
+            let verdict = conditioning_at(self.model, q, &question)?;
+            return Ok(Values {
+                lambda_min: verdict.lambda_min.unwrap_or(0.0),
+                lambda_max: verdict.lambda_max.unwrap_or(0.0),
+                kappa_weighted: verdict.kappa_weighted.unwrap_or(f64::INFINITY),
+            });
+        };
+        pencil.update(model, q)?;
+        let own = diagonal.update(pencil);
+        let removed = if reduction.base { BASE } else { 0 };
+        if own[removed..].iter().any(|&h| h <= 0.0) {
+            let lambda_max = own.iter().fold(0.0, |m: f64, &h| m.max(h));
+            return Ok(Values { lambda_min: 0.0, lambda_max, kappa_weighted: f64::INFINITY });
+        }
+        let weights = metric.weights_for(&own[removed..], |row| model.is_translation(row + removed))?;
+        let mut B = vec![0.0; removed];
+        B.extend(weights);
+        pencil.set_metric(&B);
+        let (least, lambda_max) = extreme_values(pencil, own);
+        pencil.set_metric(own);
+        let (least_weighted, weighted) = extreme_values(pencil, own);
+        Ok(Values {
+            lambda_min: least.unwrap_or(0.0),
+            lambda_max,
+            kappa_weighted: least_weighted.map_or(f64::INFINITY, |least| weighted / least),
+        })
+    }
+
+    /// [`Values::cost`] of a measure at q, and its gradient along the independent DoFs, a floating base's included (as zeros).
+    ///
+    /// None where λmin is not resolved. Errors: as [`values`](Self::values).
+    pub fn cost_gradient(&mut self, q: &[f64], measure: Measure) -> Result<Option<(f64, Vec<f64>)>, Error> {
+        let own_units = measure == Measure::KappaWeighted;
+        let metric = if own_units { Metric::UnitDiagonal } else { self.metric.clone() };
+        let verdict = match conditioning_at(self.model, q, &self.question(metric)) {
+            Ok(verdict) => verdict,
+            // A DoF without inertia has no unit of its own.
+            Err(Error::Input(InputError::NotPositive { .. })) if own_units => return Ok(None),
+            Err(error) => return Err(error),
+        };
+        let (Some(min), Some(max)) = (verdict.lambda_min, verdict.lambda_max) else { return Ok(None) };
+        let (Some(softest), Some(stiffest)) = (&verdict.softest, &verdict.stiffest) else { return Ok(None) };
+        let H = mass_matrix(self.model, q)?;
+        let mut gradient = vec![0.0; self.model.nv()];
+        let (down, up, cost) = match measure {
+            Measure::LambdaMin => (1.0, 0.0, min),
+            Measure::Kappa | Measure::KappaWeighted => (1.0 / max, min / (max * max), min / max),
+        };
+        self.add(q, &self.lifted(&H, softest), down, &mut gradient)?;
+        self.add(q, &self.lifted(&H, stiffest), -up, &mut gradient)?;
+        if own_units {
+            for d in 0..softest.len() {
+                let weight = up * max * stiffest[d].powi(2) - down * min * softest[d].powi(2);
+                let mut one = vec![0.0; softest.len()];
+                one[d] = 1.0;
+                self.add(q, &self.lifted(&H, &one), weight, &mut gradient)?;
+            }
+        }
+        let gradient = match self.model.coupling().filter(|_| self.reduction.mimic) {
+            Some(coupling) => coupling.pull_back(&gradient),
+            None => gradient,
+        };
+        Ok(Some((cost, gradient)))
+    }
+
+    fn question(&self, metric: Metric<f64>) -> Question {
+        let method = if self.tree.is_some() { Method::Sturm } else { Method::Dense };
+        Question { metric, reduction: self.reduction, method, precision: Precision::F64, all: false }
+    }
+
+    /// gradient += weight · vᵀ (∂H/∂q) v.
+    fn add(&mut self, q: &[f64], v: &[f64], weight: f64, gradient: &mut [f64]) -> Result<(), InputError> {
+        if weight != 0.0 {
+            let Self { model, workspace, one, .. } = self;
+            kinetic_energy_gradient_into(model, q, v, workspace, one)?;
+            gradient.iter_mut().zip(one).for_each(|(sum, one)| *sum += 2.0 * weight * *one);
+        }
+        Ok(())
+    }
+
+    /// The motion of all DoFs when those of the study move by x.
+    fn lifted(&self, H: &Matrix<f64>, x: &[f64]) -> Vec<f64> {
+        let mut v = if self.reduction.base { vec![0.0; BASE] } else { Vec::new() };
+        v.extend(x);
+        if let Some(coupling) = self.model.coupling().filter(|_| self.reduction.mimic) {
+            v = coupling.push_forward(&v);
+        }
+        if self.reduction.base {
+            let momentum = H.times(&v);
+            let base = solve_base(H, &momentum[..BASE]);
+            v.iter_mut().zip(base).for_each(|(v, base)| *v -= base);
+        }
+        v
+    }
+}
+
+/// H_bb⁻¹ b by elimination of the base's six columns.
+fn solve_base(H: &Matrix<f64>, b: &[f64]) -> Vec<f64> {
+    let mut A: Vec<Vec<f64>> = (0..BASE).map(|i| [&H.row(i)[..BASE], &[b[i]]].concat()).collect();
+    for k in 0..BASE {
+        for i in k + 1..BASE {
+            let ratio = A[i][k] / A[k][k];
+            for j in k..=BASE {
+                A[i][j] -= ratio * A[k][j];
+            }
+        }
+    }
+    let mut x = vec![0.0; BASE];
+    for k in (0..BASE).rev() {
+        let known: f64 = (k + 1..BASE).map(|j| A[k][j] * x[j]).sum();
+        x[k] = (A[k][BASE] - known) / A[k][k];
+    }
+    x
+}

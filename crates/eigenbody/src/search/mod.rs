@@ -1,0 +1,16 @@
+//! The worst configuration: a search over all that a robot's joints allow.
+//!
+//! ```text
+//! low-discrepancy samples  ->  the worst of them, by several measures  ->  descent from each by exact gradients  ->  the worst of all
+//! ```
+
+mod descent;
+mod domain;
+mod evaluate;
+mod measure;
+mod worst;
+
+pub use domain::{Domain, Point};
+pub use evaluate::Evaluator;
+pub use measure::{Measure, Values};
+pub use worst::{Effort, Spread, Survey, survey};

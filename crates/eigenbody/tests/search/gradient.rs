@@ -1,0 +1,56 @@
+use crate::robots::plan;
+use eigenbody::dynamics::Reduction;
+use eigenbody::scalar::{Dd, Real, Scalar};
+use eigenbody::search::{Domain, Evaluator, Measure};
+use eigenbody::{Base, Metric, Model, conditioning};
+
+/// The cost in double-double, from the matrix.
+fn cost(model: &Model<Dd>, q: &[Dd], reduction: Reduction, measure: Measure) -> Dd {
+    let H = reduction.mass_matrix(model, q).unwrap();
+    let n = H.rows();
+    let weights: Vec<Dd> = match measure {
+        Measure::KappaWeighted => (0..n).map(|d| H[(d, d)]).collect(),
+        Measure::Kappa | Measure::LambdaMin => vec![Dd::ONE; n],
+    };
+    let verdict = conditioning(&H, &weights).unwrap();
+    let (min, max) = (verdict.lambda_min.unwrap(), verdict.lambda_max.unwrap());
+    if measure == Measure::LambdaMin { min } else { min / max }
+}
+
+/// Against central differences in double-double, every joint kind, fixed and free-floating.
+#[test]
+fn gradients_are_the_rates_of_costs() {
+    for seed in 0..24 {
+        let base = if seed % 2 == 0 { Base::Fixed } else { Base::Floating };
+        let reduction = Reduction { base: base == Base::Floating, mimic: false };
+        let links = 2 + seed as usize % 5;
+        let model: Model<f64> = plan::<f64>(700 + seed, links).build(base);
+        let wide: Model<Dd> = plan::<Dd>(700 + seed, links).build(base);
+        if Domain::new(&model, false).dimensions() == 0 {
+            continue;
+        }
+        let q = model.random(seed);
+        let mut evaluator = Evaluator::new(&model, reduction, Metric::Euclidean).unwrap();
+        for measure in Measure::ALL {
+            let (value, gradient) = evaluator.cost_gradient(&q, measure).unwrap().unwrap();
+            let wide_q: Vec<Dd> = q.iter().map(|&x| Dd::from_f64(x)).collect();
+            let exact = cost(&wide, &wide_q, reduction, measure).to_f64();
+            assert!((value / exact - 1.0).abs() < 1e-9, "seed {seed} {measure:?}: {value} {exact}");
+            let size = gradient.iter().fold(exact, |m, g| m.max(g.abs()));
+            for d in 0..model.nv() {
+                let at = |t: f64| {
+                    let mut step = vec![Dd::ZERO; model.nv()];
+                    step[d] = Dd::from_f64(t);
+                    cost(&wide, &wide.integrate(&wide_q, &step).unwrap(), reduction, measure)
+                };
+                let h = 1e-8;
+                let found = ((at(h) - at(-h)) / Dd::from_f64(2.0 * h)).to_f64();
+                assert!(
+                    (found - gradient[d]).abs() <= 1e-8 * size,
+                    "seed {seed} {measure:?} DoF {d}: {} {found}",
+                    gradient[d]
+                );
+            }
+        }
+    }
+}
