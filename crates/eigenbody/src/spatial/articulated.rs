@@ -51,7 +51,11 @@ impl<T: Scalar> ArticulatedInertia<T> {
         }
     }
 
-    /// About a point at −r, in parallel axes: M,  H' = H + [r]× M,  I' = I + [r]× Hᵀ − H' [r]×.
+    /// About a point at −r, in parallel axes.
+    ///
+    /// ```text
+    /// M' = M      H' = H + [r]× M      I' = I + [r]× Hᵀ − H' [r]×
+    /// ```
     #[inline(always)]
     pub fn shifted(self, r: Vec3<T>) -> Self {
         let Self { I, H: H0, M } = self;
