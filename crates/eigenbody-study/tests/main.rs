@@ -1,0 +1,1 @@
+//! The study, against its own copy of what the papers print.
