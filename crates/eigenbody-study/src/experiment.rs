@@ -52,11 +52,17 @@ pub struct Outcome {
     pub table: Table,
     /// A verdict on each of the claims.
     pub readings: Vec<Reading>,
+    /// What the numbers say where the paper says nothing.
+    pub remark: String,
 }
 
 impl Outcome {
     pub(crate) fn new(table: Table, readings: Vec<Reading>) -> Self {
-        Self { table, readings }
+        Self { table, readings, remark: String::new() }
+    }
+
+    pub(crate) fn remarking(self, remark: impl Into<String>) -> Self {
+        Self { remark: remark.into(), ..self }
     }
 }
 

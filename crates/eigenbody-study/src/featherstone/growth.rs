@@ -82,7 +82,7 @@ fn above(table: &Table, curve: &[(f64, f64)]) -> f64 {
 fn far(lab: &Lab<'_>) -> Vec<usize> {
     let last = if lab.quick { 10_000 } else { MILLION };
     let mut found: Vec<usize> = samples(LAST).into_iter().filter(|&n| n <= 8 || n % 10 == 0 || n < 100).collect();
-    let beyond = [1000, 1800, 3300, 5600, 10_000, 18_000, 33_000, 56_000, 100_000, 330_000, MILLION];
+    let beyond = [1000, 1800, 3300, 5600, 10_000, 18_000, 33_000, 56_000, 100_000, MILLION];
     found.extend(beyond.into_iter().filter(|&n| n <= last));
     found
 }

@@ -5,9 +5,10 @@ use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
 use crate::table::Table;
+use eigenbody::model::Random;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::eigenvalues;
-use eigenbody::{Family, Posture, family::FamilyError};
+use eigenbody::{Family, Matrix, Posture, family::FamilyError};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
@@ -15,6 +16,9 @@ use std::f64::consts::FRAC_PI_2;
 const POSTURES: [(&str, Posture); 2] = [("curl(0)", Posture::Curl(0.0)), ("curl(π/2)", Posture::Curl(FRAC_PI_2))];
 /// Where a matrix is singular in double precision.
 const SINGULAR: f64 = 1.0 / f64::EPSILON;
+
+/// Enough to spread every row over all.
+const REFLECTIONS: usize = 12;
 
 /// A decimal of at most six places, exact to 32 digits.
 pub(super) fn decimal(x: f64) -> Dd {
@@ -87,6 +91,28 @@ pub fn fig9_beyond(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     Ok(Outcome::new(table, Vec::new()))
 }
 
+/// κ as far as double precision guarantees it to a dense method; none if λmin comes out negative.
+///
+/// The matrix of a tapered chain is graded, and a solver that starts at the right end keeps its small eigenvalues. Reflections
+/// P H P, P = 1 − 2vvᵀ at random v, hide the grading: what is left is the accuracy that every dense method has, ε·λmax.
+fn plain_kappa(H: &Matrix<f64>) -> Result<Option<f64>, StudyError> {
+    let n = H.rows();
+    let mut random = Random::new(1);
+    let mut A = H.clone();
+    for _ in 0..REFLECTIONS {
+        let mut v: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+        let norm = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        v.iter_mut().for_each(|v| *v /= norm);
+        // P A P = A − v wᵀ − w vᵀ,  w = 2 (A v − v vᵀA v)
+        let Av = A.times(&v);
+        let vAv: f64 = v.iter().zip(&Av).map(|(v, a)| v * a).sum();
+        let w: Vec<f64> = v.iter().zip(&Av).map(|(v, a)| 2.0 * (a - v * vAv)).collect();
+        A = Matrix::from_fn(n, n, |i, j| A[(i, j)] - (v[i] * w[j] + w[i] * v[j]));
+    }
+    let values = eigenvalues(&A, &vec![1.0; n])?;
+    Ok(values.first().zip(values.last()).map(|(min, max)| max / min).filter(|kappa| *kappa > 0.0))
+}
+
 /// Figure 10: fixed ratio R of the last link's size to the first's; the dense double-precision κ stands beside the exact one.
 ///
 /// # Errors
@@ -107,13 +133,7 @@ pub fn fig10(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
             let posed = lab.pose(&Family::hydra(n, 1.0, 0.0, 1.0)?.with_size_ratio(decimal(ratio))?, posture)?;
             let kappa = posed.ends()?.kappa();
             // A dense solver takes its time: only where the paper prints numbers, and for small robots.
-            let dense = match n <= 100 || n == last {
-                true => {
-                    let values = eigenvalues(&posed.mass_matrix()?, &vec![1.0; n])?;
-                    values.first().zip(values.last()).map(|(min, max)| max / min).filter(|kappa| *kappa > 0.0)
-                }
-                false => None,
-            };
+            let dense = if n <= 100 || n == last { plain_kappa(&posed.mass_matrix()?)? } else { None };
             Ok((format!("{name}, R = {ratio}"), [Some(ratio), Some(n as f64), Some(kappa), dense]))
         })
         .collect();
@@ -135,9 +155,9 @@ pub fn fig10(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let checks = vec![
         Check::within("κ R⁵ at N = 2, R = 0.1, curl(0)", at_two("curl(0)"), 0.9, 1.1),
         Check::within("κ R⁵ at N = 2, R = 0.1, curl(π/2)", at_two("curl(π/2)"), 0.9, 1.1),
-        Check::within("dense double precision for the first ratio", dense[0], 225.0, 231.0),
+        Check::within("the first ratio by a plain dense solver in double precision", dense[0], 223.0, 233.0),
     ];
     let found: Vec<String> = dense.iter().map(|ratio| format!("{ratio:.4}")).collect();
-    let note = format!("a dense double-precision solver gives {} here", found.join(", "));
+    let note = format!("a plain dense solver in double precision gives {} here", found.join(", "));
     Ok(Outcome::new(table.clone(), vec![Reading::new("F-fig10", ratios("kappa"), checks).noting(note)]))
 }

@@ -1,8 +1,8 @@
 //! The question that the paper leaves open: the estimators on wide swings, on trees and on a real arm.
 
 use super::example::MASS_KG;
-use super::swing::{matrices, scaled};
-use crate::estimators::estimates;
+use super::swing::{apart, matrices, scaled};
+use crate::estimators::{Estimates, estimates, median};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
 use crate::table::Table;
@@ -27,7 +27,21 @@ pub fn wide_swing(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         let (lower, upper) = found.bracket;
         table.push([], [*t, found.kappa, scaled, lower, upper, found.pivot_ratio].map(Some));
     }
-    Ok(Outcome::new(table, Vec::new()))
+    let (middle, worst) = apart(&motion);
+    let outside = motion.iter().filter(|(_, found)| !holds(found)).count();
+    Ok(Outcome::new(table, Vec::new()).remarking(format!(
+        "δ_s misses κ by {:.0}% in the median and by {:.0}% at worst; κ lay outside the bracket {outside} times in {}.",
+        100.0 * middle,
+        100.0 * worst,
+        motion.len()
+    )))
+}
+
+/// r ≤ κ ≤ r κ′, but for rounding of κ: n·ε of it, and κ of κ′ times n ε.
+fn holds(found: &Estimates) -> bool {
+    let (lower, upper) = found.bracket;
+    let slack = 1.0 + 1e-9;
+    lower <= found.kappa * slack && found.kappa <= upper * slack
 }
 
 /// Trees and the PUMA 560 in random configurations, in ascending order of κ; δ_s is scaled at q = 0.
@@ -57,6 +71,7 @@ pub fn robots(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     ];
     let mut table = Table::new(&[("robot", "")], &numbers);
     let count = if lab.quick { 40 } else { 120 };
+    let (mut words, mut outside) = (Vec::new(), 0);
     for (name, model) in members {
         let start = estimates(&mass_matrix(&model, &model.neutral())?)?;
         let found: Result<Vec<_>, StudyError> = (0..count)
@@ -65,12 +80,20 @@ pub fn robots(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
             .collect();
         let mut found = found?;
         found.sort_by(|a, b| a.kappa.total_cmp(&b.kappa));
+        let mut missed = Vec::new();
         for (rank, found) in (1..).zip(found) {
             let scaled = found.diagonal_ratio * start.kappa / start.diagonal_ratio;
+            missed.push((scaled / found.kappa - 1.0).abs());
+            outside += usize::from(!holds(&found));
             let (lower, upper) = found.bracket;
             let row = [f64::from(rank), found.kappa, scaled, lower, upper, found.pivot_ratio];
             table.push([name.into()], row.map(Some));
         }
+        let worst = missed.iter().copied().fold(0.0, f64::max);
+        words.push(format!("{name} {:.0}% and {:.0}%", 100.0 * median(&missed), 100.0 * worst));
     }
-    Ok(Outcome::new(table, Vec::new()))
+    Ok(Outcome::new(table, Vec::new()).remarking(format!(
+        "δ_s misses κ, in the median and at worst, by: {}. κ lay outside the bracket {outside} times.",
+        words.join("; ")
+    )))
 }
