@@ -103,7 +103,12 @@ fn cells(reading: &Reading) -> [String; 5] {
         Some(i) => {
             let more = if count > 1 { format!(" ({} of {count})", i + 1) } else { String::new() };
             let exact = claim.exact.get(i).map_or_else(String::new, |&x| significant(x, 10));
-            [format!("{}{more}", claim.printed[i]), significant(computed[i], 8), exact, format!("{:.1e}", off(&i))]
+            [
+                format!("{}{more}", claim.printed[i]),
+                significant(computed[i], 8),
+                exact,
+                format!("{:.1e}", off(&i)),
+            ]
         }
         None if claim.kind == Kind::Shape => {
             ["shape".into(), format!("{held} of {} tests hold", checks.len()), String::new(), String::new()]
@@ -117,7 +122,7 @@ fn cells(reading: &Reading) -> [String; 5] {
 /// The claims as a table for the terminal, and what failed.
 pub fn claims_text(readings: &[&Reading]) -> String {
     let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY);
+    table.load_style(presets::NOTHING);
     table.set_content_arrangement(ContentArrangement::Disabled);
     table.set_header(["claim", "printed", "computed", "exact", "difference", "verdict"]);
     for reading in readings {
@@ -170,10 +175,17 @@ pub fn gallery(shown: &[Shown<'_>]) -> String {
             section(&mut page, shown);
         }
     }
-    let _ = writeln!(page, "<h2 id=\"claims\">Claims</h2>\n<table>\n<tr><th>claim<th>what<th>printed<th>computed<th>exact<th>difference<th>verdict</tr>");
+    let _ = writeln!(
+        page,
+        "<h2 id=\"claims\">Claims</h2>\n<table>\n<tr><th>claim<th>what<th>printed<th>computed<th>exact<th>difference<th>verdict</tr>"
+    );
     for reading in readings {
         let [a, b, c, d, e] = cells(reading);
-        let note = if reading.note.is_empty() { String::new() } else { format!("<br><small>{}</small>", escape(&reading.note)) };
+        let note = if reading.note.is_empty() {
+            String::new()
+        } else {
+            format!("<br><small>{}</small>", escape(&reading.note))
+        };
         let _ = writeln!(
             page,
             "<tr><td><code>{}</code><td>{}{note}{}<td>{a}<td>{b}<td>{c}<td>{d}<td class=\"{}\">{e}</tr>",
@@ -191,10 +203,15 @@ fn section(page: &mut String, Shown { experiment, outcome, has_figure }: &Shown<
     let Experiment { id, title, seen, .. } = experiment;
     let _ = writeln!(page, "<section id=\"{id}\">\n<h3><code>{id}</code> {}</h3>", escape(title));
     if *has_figure {
-        let _ = writeln!(page, "<a href=\"{id}.svg\"><img src=\"{id}.svg\" alt=\"{}\" loading=\"lazy\"></a>", escape(title));
+        let _ = writeln!(
+            page,
+            "<a href=\"{id}.svg\"><img src=\"{id}.svg\" alt=\"{}\" loading=\"lazy\"></a>",
+            escape(title)
+        );
     }
     let png = if *has_figure { format!(" · <a href=\"{id}.png\">PNG</a>") } else { String::new() };
-    let remark = if outcome.remark.is_empty() { String::new() } else { format!(" {}", escape(&outcome.remark)) };
+    let remark =
+        if outcome.remark.is_empty() { String::new() } else { format!(" {}", escape(&outcome.remark)) };
     let _ = writeln!(page, "<p>{}{remark} <a href=\"{id}.csv\">CSV</a>{png}</p>\n</section>", escape(seen));
 }
 
@@ -206,15 +223,21 @@ fn tests(reading: &Reading) -> String {
     let mut list = format!("<details><summary>{} tests</summary><ul>", reading.checks.len());
     for check in &reading.checks {
         let Check { what, found, half_width, low, high } = check;
-        let spread = half_width.filter(|w| w.is_finite()).map_or_else(String::new, |w| format!(" ± {}", significant(w, 2)));
+        let spread = half_width
+            .filter(|w| w.is_finite())
+            .map_or_else(String::new, |w| format!(" ± {}", significant(w, 2)));
         let mark = if check.holds() { "" } else { " <b>fails</b>" };
-        let _ = write!(list, "<li>{}: {}{spread}, expected {low} to {high}{mark}", escape(what), significant(*found, 6));
+        let _ = write!(
+            list,
+            "<li>{}: {}{spread}, expected {low} to {high}{mark}",
+            escape(what),
+            significant(*found, 6)
+        );
     }
     list + "</ul></details>"
 }
 
-const FEATHERSTONE: &str =
-    "R. Featherstone, An Empirical Study of the Joint Space Inertia Matrix, Int. J. Robotics Research 23 (2004)";
+const FEATHERSTONE: &str = "R. Featherstone, An Empirical Study of the Joint Space Inertia Matrix, Int. J. Robotics Research 23 (2004)";
 const SHAH_SAHA: &str = "S. V. Shah, S. K. Saha, Correlation between diagonal ratio and condition number of the generalized inertia matrix of a serial-chain, Archive of Mechanical Engineering 60 (2013)";
 
 const HEAD: &str = "<!DOCTYPE html>

@@ -87,7 +87,9 @@ fn known() -> Vec<&'static str> {
 }
 
 fn did_you_mean(id: &str) -> String {
-    let rated = known().into_iter().map(|name| (strsim::osa_distance(&id.to_lowercase(), &name.to_lowercase()), name));
+    let rated = known()
+        .into_iter()
+        .map(|name| (strsim::osa_distance(&id.to_lowercase(), &name.to_lowercase()), name));
     match rated.min() {
         Some((distance, near)) if distance <= 2 => format!("; did you mean '{near}'?"),
         _ => String::new(),
@@ -112,6 +114,7 @@ pub fn select<S: AsRef<str>>(ids: &[S]) -> Result<Vec<&'static Experiment>, Unkn
             return Err(UnknownId { id: id.to_owned() });
         }
     }
-    let chosen = |experiment: &&Experiment| ids.is_empty() || ids.iter().any(|id| wants(experiment, id.as_ref()));
+    let chosen =
+        |experiment: &&Experiment| ids.is_empty() || ids.iter().any(|id| wants(experiment, id.as_ref()));
     Ok(all().filter(chosen).collect())
 }

@@ -40,7 +40,11 @@ pub fn run(args: &ReproduceArgs) -> Result<bool, Failure> {
 
     let pairs = || experiments.iter().zip(&done);
     let shown: Vec<Shown<'_>> = pairs()
-        .map(|(experiment, (_, Done { outcome, has_figure }))| Shown { experiment, outcome, has_figure: *has_figure })
+        .map(|(experiment, (_, Done { outcome, has_figure }))| Shown {
+            experiment,
+            outcome,
+            has_figure: *has_figure,
+        })
         .collect();
     let readings: Vec<&Reading> = done.iter().flat_map(|(_, done)| &done.outcome.readings).collect();
     let json = claims_json(readings.iter().copied()).map_err(|error| Failure::Json(error.to_string()))?;
@@ -73,7 +77,8 @@ fn perform(experiment: &Experiment, lab: &Lab<'_>, folder: &Path) -> Result<Done
     let id = experiment.id;
     let outcome = experiment.run(lab).map_err(|source| Failure::Study { id, source })?;
     let mut csv = Vec::new();
-    write_table_csv(&outcome.table, &mut csv).map_err(|source| Failure::File { path: folder.join(id), source })?;
+    write_table_csv(&outcome.table, &mut csv)
+        .map_err(|source| Failure::File { path: folder.join(id), source })?;
     write(folder, &format!("{id}.csv"), &csv)?;
     let svg = figure::draw(id, experiment.title, &outcome.table);
     if let Some(svg) = &svg {

@@ -69,13 +69,18 @@ impl Range {
     fn linear_ticks(&self, room: usize) -> Vec<(f64, String)> {
         let rough = (self.high - self.low) / room.max(2) as f64;
         let decade = 10f64.powf(rough.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].map(|f| f * decade).into_iter().find(|&s| s >= rough).unwrap_or(decade);
+        let step =
+            [1.0, 2.0, 5.0, 10.0].map(|f| f * decade).into_iter().find(|&s| s >= rough).unwrap_or(decade);
         let decimals = (-step.log10().floor()).max(0.0) as usize;
         let first = (self.low / step).ceil() as i64;
         let last = (self.high / step).floor() as i64;
         let word = |value: f64| {
             let text = format!("{value:.decimals$}");
-            if text.trim_start_matches('-').chars().all(|c| "0.".contains(c)) { "0".into() } else { text.replace('-', "−") }
+            if text.trim_start_matches('-').chars().all(|c| "0.".contains(c)) {
+                "0".into()
+            } else {
+                text.replace('-', "−")
+            }
         };
         (first..=last).filter_map(|k| Some((self.inside(k as f64 * step)?, word(k as f64 * step)))).collect()
     }
@@ -86,12 +91,20 @@ impl Range {
         let every = ((span / room.max(2) as f64).ceil() as i32).max(1);
         // Steps of 1, 2, 3, 5, 10, .. decades.
         let every = [1, 2, 3, 5, 10, 20, 50, 100].into_iter().find(|&step| step >= every).unwrap_or(100);
-        let digits: &[f64] = match span {
-            s if s < 0.5 => &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
-            s if s < 1.2 => &[1.0, 2.0, 3.0, 5.0, 7.0],
-            s if s < 3.2 && room > 5 => &[1.0, 2.0, 5.0],
-            _ => &[1.0],
+        // The finest division that leaves room between words.
+        let count = |digits: &[f64]| {
+            let all =
+                (first..=last).flat_map(|decade| digits.iter().map(move |d| f64::from(decade) + d.log10()));
+            all.filter(|&x| self.inside(x).is_some()).count()
         };
+        let divisions: [&[f64]; 4] = [
+            &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
+            &[1.0, 2.0, 3.0, 5.0, 7.0],
+            &[1.0, 2.0, 5.0],
+            &[1.0],
+        ];
+        let fits = |digits: &&[f64]| (every == 1 && count(digits) <= room + 1) || digits.len() == 1;
+        let digits = divisions.into_iter().find(fits).unwrap_or(&[1.0]);
         let plain = self.low > -3.5 && self.high < 4.5 && span < 4.0;
         let mut words = Vec::new();
         let mut marks = Vec::new();
@@ -101,7 +114,9 @@ impl Range {
                     words.push((at, if plain { written(digit, decade) } else { power(digit, decade) }));
                 }
             }
-            let finer = (2..=9).filter(|_| every == 1).filter_map(|d| self.inside(f64::from(decade) + f64::from(d).log10()));
+            let finer = (2..=9)
+                .filter(|_| every == 1)
+                .filter_map(|d| self.inside(f64::from(decade) + f64::from(d).log10()));
             marks.extend(finer);
             marks.extend(self.inside(f64::from(decade)));
         }

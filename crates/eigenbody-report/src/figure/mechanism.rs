@@ -18,7 +18,8 @@ type Chain = Vec<[(f64, f64); 2]>;
 
 /// Planar chains: a panel for every word of `panel`, in it a robot for every word of `robot`. Links are tubes, joints open circles.
 pub fn planar(table: &Table, title: &str) -> String {
-    let (x0, y0, x1, y1) = (column(table, "x0"), column(table, "y0"), column(table, "x1"), column(table, "y1"));
+    let (x0, y0, x1, y1) =
+        (column(table, "x0"), column(table, "y0"), column(table, "x1"), column(table, "y1"));
     let chain = |panel: &str, robot: &str| -> Chain {
         let words = table.text("panel").iter().zip(table.text("robot")).enumerate();
         let rows = words.filter(|(_, (p, r))| *p == panel && *r == robot).map(|(i, _)| i);
@@ -75,9 +76,8 @@ struct View {
 impl View {
     fn around(points: impl Iterator<Item = (f64, f64)>, corner: (f64, f64), size: (f64, f64)) -> Self {
         let none = (f64::INFINITY, f64::NEG_INFINITY);
-        let (x, y) = points.fold((none, none), |(x, y), p| {
-            ((x.0.min(p.0), x.1.max(p.0)), (y.0.min(p.1), y.1.max(p.1)))
-        });
+        let (x, y) = points
+            .fold((none, none), |(x, y), p| ((x.0.min(p.0), x.1.max(p.0)), (y.0.min(p.1), y.1.max(p.1))));
         // A chain in line has no height of its own.
         let extent = ((x.1 - x.0).max(1e-9), (y.1 - y.0).max(1e-9));
         let scale = (size.0 / extent.0).min(size.1 / extent.1);
@@ -176,7 +176,8 @@ pub fn link(table: &Table, title: &str) -> String {
         steps.map(|a| to(x, radius * a.cos(), radius * a.sin())).collect()
     };
     let (near, far) = (ring(0.0, 0.0, TAU), ring(length, 0.0, TAU));
-    let body = [to(0.0, 0.0, radius), to(length, 0.0, radius), to(length, 0.0, -radius), to(0.0, 0.0, -radius)];
+    let body =
+        [to(0.0, 0.0, radius), to(length, 0.0, radius), to(length, 0.0, -radius), to(0.0, 0.0, -radius)];
     scene.shape(&far, "#e9eef4", INK, 1.4);
     scene.shape(&body, "#e9eef4", "#e9eef4", 0.0);
     scene.line(&body[..2], INK, 1.4, "");
@@ -246,18 +247,25 @@ pub fn shells(table: &Table, title: &str) -> String {
             scene.line(&ends, INK, 6.0, "");
             scene.line(&ends, "#ffffff", 3.0, "");
         }
-        let tip = to(axis.map(|a| a * if k == 0 { 1.38 } else { 1.0 }), radius);
-        let word = format!("link {}, axis {}", k + 1, k + 1);
-        match k {
-            0 => scene.text((tip.0 + 16.0, tip.1 + 16.0), Anchor::Start, SIZE, "axis 1, from the base"),
-            _ => scene.text((centre.0 + radius + 8.0, centre.1 + 4.0), Anchor::Start, SIZE, &word[..6]),
-        }
-        if k == 0 {
-            scene.text((centre.0 + radius + 8.0, centre.1 + 4.0), Anchor::Start, SIZE, "link 1");
-        } else {
-            let (x, y) = to(axis.map(|a| a / 0.62), radius);
-            scene.text((x - 14.0, y - 10.0), Anchor::End, SIZE, "axis 2, at an angle α");
-        }
+        // Words stand to the right, each with a thin line to what it names.
+        let word = |scene: &mut Scene, from: (f64, f64), row: f64, text: &str| {
+            let end = (centre.0 + 215.0, 90.0 + 54.0 * row);
+            scene.line(&[from, (end.0 - 6.0, end.1 - 5.0)], "#777777", 1.0, "");
+            scene.text(end, Anchor::Start, SIZE, text);
+        };
+        let shell = |degrees: f64| {
+            let (s, c) = degrees.to_radians().sin_cos();
+            (centre.0 + radius * c, centre.1 - radius * s)
+        };
+        let row = k as f64;
+        let tip = to(axis.map(|a| a * 1.25), radius);
+        word(
+            &mut scene,
+            tip,
+            2.0 * row - 0.6,
+            &format!("axis {}{}", k + 1, if k == 0 { ", in the base" } else { ", turned by α" }),
+        );
+        word(&mut scene, shell(35.0 - 45.0 * row), 2.0 * row + 0.4, &format!("link {}", k + 1));
     }
     scene.circle(centre, 3.0, INK, INK, 1.0);
     scene.finish(title)

@@ -23,17 +23,43 @@ const TIME: &str = "time (s)";
 /// ```
 pub fn draw(id: &str, title: &str, table: &Table) -> Option<String> {
     let plot = match id {
-        "F-fig6" | "F-fig6-beyond" | "F-fig7" | "F-fig7-beyond" => one(Axis::log(N), Axis::log(KAPPA), curves(table, "N", "kappa")),
-        "F-fig8" | "F-fig9" | "F-fig9-beyond" => one(Axis::log(N), Axis::log(KAPPA), kinds(table, "N", "kappa")),
+        "F-fig6" | "F-fig6-beyond" | "F-fig7" | "F-fig7-beyond" => {
+            one(Axis::log(N), Axis::log(KAPPA), curves(table, "N", "kappa"))
+        }
+        "F-fig8" | "F-fig9" | "F-fig9-beyond" => {
+            one(Axis::log(N), Axis::log(KAPPA), kinds(table, "N", "kappa"))
+        }
         "F-fig10" => one(Axis::log(N), Axis::log(KAPPA), kinds(table, "N", "kappa")),
-        "F-fig11" => one(Axis::linear("place in the spectrum, smallest 0, largest 1"), Axis::log(LAMBDA), curves(table, "x", "lambda")),
-        "F-fig12" => one(Axis::log("normalised period 1/i"), Axis::log(LAMBDA), curves(table, "period", "lambda")),
-        "F-fig13" => one(Axis::linear("place in the spectrum, smallest 0, largest 1"), Axis::log(LAMBDA), curves(table, "x", "lambda")),
-        "F-fig14" => one(Axis::linear("joint"), Axis::linear("coordinate of the eigenvector"), curves(table, "joint", "coordinate")),
-        "F-Imin" => one(Axis::linear("θ (rad)"), Axis::linear("smallest eigenvalue (kg m²)"), curves(table, "theta", "lambda_min")),
-        "F-asymptotic" => one(Axis::log(N), Axis::linear("κ / (N H₁₁/H_NN)"), curves(table, "N", "ratio")),
-        "F-fig16" => Plot { panels: split(table, "N", "kappa", N, KAPPA), columns: 2 },
-        "F-fig17" => one(Axis::linear("joint"), Axis::linear("coordinate of the eigenvector"), curves(table, "joint", "coordinate")),
+        "F-fig11" => one(
+            Axis::linear("place in the spectrum, smallest 0, largest 1"),
+            Axis::log(LAMBDA),
+            curves(table, "x", "lambda"),
+        ),
+        "F-fig12" => {
+            one(Axis::log("normalised period 1/i"), Axis::log(LAMBDA), curves(table, "period", "lambda"))
+        }
+        "F-fig13" => one(
+            Axis::linear("place in the spectrum, smallest 0, largest 1"),
+            Axis::log(LAMBDA),
+            curves(table, "x", "lambda"),
+        ),
+        "F-fig14" => one(
+            Axis::linear("joint"),
+            Axis::linear("coordinate of the eigenvector"),
+            curves(table, "joint", "coordinate"),
+        ),
+        "F-Imin" => one(
+            Axis::linear("θ (rad)"),
+            Axis::linear("smallest eigenvalue (kg m²)"),
+            curves(table, "theta", "lambda_min"),
+        ),
+        "F-asymptotic" => one(Axis::log(N), Axis::linear("κ / (N H₁₁/Hₙₙ)"), curves(table, "N", "ratio")),
+        "F-fig16" => Plot { panels: split(table, "N", "kappa", N, KAPPA), columns: 1 },
+        "F-fig17" => one(
+            Axis::linear("joint"),
+            Axis::linear("coordinate of the eigenvector"),
+            curves(table, "joint", "coordinate"),
+        ),
         "F-fig18" => one(Axis::log("number of joints N"), Axis::log(KAPPA), kinds(table, "N", "kappa")),
         "F-fig20" => one(Axis::log(N), Axis::log("condition number"), both_metrics(table)),
         "F-fig21" => one(Axis::linear(N), Axis::log("condition number"), both_metrics(table)),
@@ -42,7 +68,9 @@ pub fn draw(id: &str, title: &str, table: &Table) -> Option<String> {
         "S-fig3" => pairs(table, &[("kappa", KAPPA), ("delta", "diagonal ratio δ")]),
         "S-fig4" => pairs(table, &[("pivot_ratio", "pivot ratio"), ("kappa", KAPPA)]),
         "S-fig5" => overlaid(table),
-        "S-beyond-swing" => one(Axis::linear(TIME), Axis::log("condition number"), estimators(table, None, "t")),
+        "S-beyond-swing" => {
+            one(Axis::linear(TIME), Axis::log("condition number"), estimators(table, None, "t"))
+        }
         "S-beyond-robots" => robots(table),
         "F-fig1" | "F-fig5" | "F-fig15" | "F-fig19" => return Some(mechanism::planar(table, title)),
         "S-fig1" => return Some(mechanism::planar(table, title)),
@@ -65,7 +93,11 @@ fn curves(table: &Table, x: &str, y: &str) -> Vec<Curve> {
         name: name.to_owned(),
         points: table.points("curve", name, x, y),
         // An eighth curve takes the first one's colour with another dash.
-        style: if k < 7 { Style::nth(k) } else { Style { marker: Style::nth(k - 6).marker, ..Style::of_kind(k - 7, 1) } },
+        style: if k < 7 {
+            Style::nth(k)
+        } else {
+            Style { marker: Style::nth(k - 6).marker, ..Style::of_kind(k - 7, 1) }
+        },
     };
     names.map(curve).collect()
 }
@@ -99,7 +131,11 @@ fn split(table: &Table, x: &str, y: &str, x_label: &str, y_label: &str) -> Vec<P
         }
         if let Some(panel) = panels.last_mut() {
             let style = Style::nth(panel.curves.len());
-            panel.curves.push(Curve { name: parameter.to_owned(), points: table.points("curve", name, x, y), style });
+            panel.curves.push(Curve {
+                name: parameter.to_owned(),
+                points: table.points("curve", name, x, y),
+                style,
+            });
         }
     }
     panels
@@ -109,7 +145,8 @@ fn split(table: &Table, x: &str, y: &str, x_label: &str, y_label: &str) -> Vec<P
 fn both_metrics(table: &Table) -> Vec<Curve> {
     let mut curves = Vec::new();
     for (k, name) in table.distinct("curve").into_iter().enumerate() {
-        for (kind, (column, symbol)) in [("kappa", "κ"), ("kappa_weighted", "κ′")].into_iter().enumerate() {
+        for (kind, (column, symbol)) in [("kappa", "κ"), ("kappa_weighted", "κ′")].into_iter().enumerate()
+        {
             let points = table.points("curve", name, "N", column);
             curves.push(Curve { name: format!("{symbol}, {name}"), points, style: Style::of_kind(k, kind) });
         }
@@ -123,7 +160,11 @@ fn columns(table: &Table, x: &str, y: &str) -> Vec<(f64, f64)> {
 }
 
 fn rounding(table: &Table) -> Vec<Curve> {
-    let names = [("entries_apart", "matrix, CRBA"), ("reconstruction_apart", "U D Uᵀ"), ("solve_apart", "solve, ABA")];
+    let names = [
+        ("entries_apart", "matrix, CRBA"),
+        ("reconstruction_apart", "U D Uᵀ"),
+        ("solve_apart", "solve, ABA"),
+    ];
     let curve = |(k, (column, name)): (usize, (&str, &str))| Curve {
         name: name.into(),
         points: columns(table, "N", column),
@@ -141,8 +182,15 @@ fn swing_of_four(table: &Table) -> Plot {
         };
         names.into_iter().enumerate().map(curve).collect()
     };
-    let single = |column: &str| vec![Curve { name: String::new(), points: columns(table, "t", column), style: Style::nth(0).plain() }];
-    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: Axis::linear(TIME), y, curves };
+    let single = |column: &str| {
+        vec![Curve { name: String::new(), points: columns(table, "t", column), style: Style::nth(0).plain() }]
+    };
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel {
+        title: title.into(),
+        x: Axis::linear(TIME),
+        y,
+        curves,
+    };
     let lambda = four([("lambda_1", "λ₁"), ("lambda_2", "λ₂"), ("lambda_3", "λ₃"), ("lambda_4", "λ₄")]);
     let diagonal = four([("I_11", "I₁₁"), ("I_22", "I₂₂"), ("I_33", "I₃₃"), ("I_44", "I₄₄")]);
     let panels = vec![
@@ -172,7 +220,7 @@ fn pairs(table: &Table, shown: &[(&str, &str)]) -> Plot {
     Plot { panels, columns: shown.len() }
 }
 
-/// κ and δ_s over each other, a panel for every number of links.
+/// κ and δₛ over each other, a panel for every number of links.
 fn overlaid(table: &Table) -> Plot {
     let panel = |(k, name): (usize, &str)| {
         let curve = |k: usize, column: &str, label: &str| Curve {
@@ -184,7 +232,7 @@ fn overlaid(table: &Table) -> Plot {
             title: format!("({}) {name}", char::from(b'a' + k as u8)),
             x: Axis::linear(TIME),
             y: Axis::linear("condition number"),
-            curves: vec![curve(0, "kappa", "κ"), curve(1, "delta_scaled", "scaled diagonal ratio δ_s")],
+            curves: vec![curve(0, "kappa", "κ"), curve(1, "delta_scaled", "scaled diagonal ratio δₛ")],
         }
     };
     Plot { panels: table.distinct("curve").into_iter().enumerate().map(panel).collect(), columns: 1 }
@@ -196,22 +244,25 @@ fn estimators(table: &Table, robot: Option<&str>, x: &str) -> Vec<Curve> {
         ("lower", "r, the bracket's lower end", Style { dashes: "2 3", ..Style::nth(2) }.plain()),
         ("upper", "r κ′, its upper end", Style { dashes: "9 3 2 3", ..Style::nth(2) }.plain()),
         ("pivot_ratio", "pivot ratio", Style { dashes: "5 3", ..Style::nth(3) }.plain()),
-        ("delta_scaled", "scaled diagonal ratio δ_s", Style { dashes: "", ..Style::nth(1) }),
+        ("delta_scaled", "scaled diagonal ratio δₛ", Style { dashes: "", ..Style::nth(1) }),
         ("kappa", "κ", Style::nth(0).plain()),
     ];
     let points = |column: &str| match robot {
         Some(robot) => table.points("robot", robot, x, column),
         None => columns(table, x, column),
     };
-    shown.into_iter().map(|(column, name, style)| Curve { name: name.into(), points: points(column), style }).collect()
+    shown
+        .into_iter()
+        .map(|(column, name, style)| Curve { name: name.into(), points: points(column), style })
+        .collect()
 }
 
 fn robots(table: &Table) -> Plot {
     let panel = |name: &str| {
         let mut curves = estimators(table, Some(name), "rank");
-        for (curve, name) in curves.iter_mut().zip(["r", "r κ′", "pivots", "δ_s", "κ"]) {
+        for (curve, name) in curves.iter_mut().zip(["r", "r κ′", "pivots", "δₛ", "κ"]) {
             curve.name = name.into();
-            if name == "δ_s" {
+            if name == "δₛ" {
                 curve.style = curve.style.points();
             }
         }

@@ -40,9 +40,14 @@ pub struct Plot {
 /// Width of a whole figure (px).
 const WIDTH: f64 = 800.0;
 /// Most markers along a curve.
-const MARKS: usize = 32;
+const MARKS: usize = 40;
 /// Height of words (px).
 const SIZE: f64 = 13.0;
+
+/// How many numbers an upright axis of so many pixels takes.
+fn room_upwards(height: f64) -> usize {
+    (height / 38.0) as usize
+}
 
 /// Width of a word, generously (px).
 fn width(text: &str) -> f64 {
@@ -50,16 +55,20 @@ fn width(text: &str) -> f64 {
 }
 
 impl Plot {
-    /// The figure as SVG. A single panel has its legend at its side, several have theirs on top of each.
+    /// The figure as SVG. Panels that stand alone in their rows have legends at their sides, others on top.
     pub fn svg(&self, title: &str) -> String {
         let columns = self.columns.max(1);
         let rows = self.panels.len().div_ceil(columns);
-        let single = self.panels.len() == 1;
-        let cell = (WIDTH / columns as f64, if single { 520.0 } else { 330.0 });
+        let height = match (rows, columns) {
+            (1, 1) => 520.0,
+            (_, 1) => 360.0,
+            _ => 330.0,
+        };
+        let cell = (WIDTH / columns as f64, height);
         let mut scene = Scene::new(WIDTH, cell.1 * rows as f64);
         for (k, panel) in self.panels.iter().enumerate() {
             let corner = ((k % columns) as f64 * cell.0, (k / columns) as f64 * cell.1);
-            panel.draw(&mut scene, corner, cell, single);
+            panel.draw(&mut scene, corner, cell, columns == 1);
         }
         scene.finish(title)
     }
@@ -67,6 +76,8 @@ impl Plot {
 
 /// The rectangle that curves are drawn in.
 struct Field {
+    /// Left edge of the panel.
+    corner: f64,
     left: f64,
     top: f64,
     width: f64,
@@ -89,21 +100,18 @@ impl Panel {
         let y = Range::around(self.y.scale, all().map(|point| point.1));
         let named: Vec<&Curve> = self.curves.iter().filter(|curve| !curve.name.is_empty()).collect();
         let legend = named.iter().map(|curve| width(&curve.name) + 48.0).fold(0.0, f64::max);
-        let per_row = (((cell.0 - 90.0) / legend.max(1.0)) as usize).max(1);
+        let per_row = (((cell.0 - 60.0) / legend.max(1.0)) as usize).max(1);
         let above = match (side_legend, named.len()) {
             (true, _) | (false, 0) => 0.0,
             (false, n) => 18.0 * n.div_ceil(per_row) as f64,
         };
         let heading = if self.title.is_empty() { 0.0 } else { 22.0 };
         let right = if side_legend && !named.is_empty() { legend + 14.0 } else { 18.0 };
-        let field = Field {
-            left: corner.0 + 76.0,
-            top: corner.1 + 16.0 + heading + above,
-            width: cell.0 - 76.0 - right,
-            height: cell.1 - 16.0 - heading - above - 54.0,
-            x,
-            y,
-        };
+        let height = cell.1 - 16.0 - heading - above - 54.0;
+        let numbers = y.ticks(room_upwards(height)).0;
+        let left = 46.0 + numbers.iter().map(|tick| 0.92 * width(&tick.1)).fold(0.0, f64::max);
+        let (top, width) = (corner.1 + 16.0 + heading + above, cell.0 - left - right);
+        let field = Field { corner: corner.0, left: corner.0 + left, top, width, height, x, y };
         self.axes(scene, &field);
         for curve in &self.curves {
             curve.draw(scene, &field);
@@ -125,7 +133,7 @@ impl Panel {
     }
 
     fn axes(&self, scene: &mut Scene, field: &Field) {
-        let Field { left, top, width, height, x, y } = field;
+        let Field { corner, left, top, width, height, x, y } = field;
         let (bottom, right) = (top + height, left + width);
         let (words, marks) = x.ticks((width / 62.0) as usize);
         for (at, word) in &words {
@@ -137,7 +145,7 @@ impl Panel {
             let x = left + at * width;
             scene.line(&[(x, bottom), (x, bottom - 4.0)], INK, 1.0, "");
         }
-        let (words, marks) = y.ticks((height / 38.0) as usize);
+        let (words, marks) = y.ticks(room_upwards(*height));
         for (at, word) in &words {
             let y = bottom - at * height;
             scene.line(&[(*left, y), (right, y)], FAINT, 1.0, "");
@@ -148,7 +156,13 @@ impl Panel {
             scene.line(&[(*left, y), (left + 4.0, y)], INK, 1.0, "");
         }
         scene.text((left + 0.5 * width, bottom + 42.0), Anchor::Middle, SIZE + 1.0, &self.x.label);
-        scene.turned_text((left - 56.0, top + 0.5 * height), Anchor::Middle, SIZE + 1.0, &self.y.label, -90.0);
+        scene.turned_text(
+            (corner + 20.0, top + 0.5 * height),
+            Anchor::Middle,
+            SIZE + 1.0,
+            &self.y.label,
+            -90.0,
+        );
     }
 }
 
@@ -161,7 +175,7 @@ impl Curve {
         // Long curves get a marker now and then, those without a line every one.
         let every = if self.style.dashes == "none" { 1 } else { places.len().div_ceil(MARKS).max(1) };
         let every = if places.len() > 150 && every > 1 { places.len() / 12 } else { every };
-        for &place in places.iter().skip(every / 2).step_by(every) {
+        for &place in places.iter().step_by(every) {
             scene.marker(place, self.style);
         }
     }

@@ -51,7 +51,8 @@ impl Scene {
             return;
         }
         let path: Vec<String> = points.iter().map(|&(x, y)| format!("{},{}", px(x), px(y))).collect();
-        let dashes = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
+        let dashes =
+            if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
         let _ = writeln!(
             self.body,
             "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dashes}/>",
@@ -131,10 +132,19 @@ impl Scene {
         match style.marker {
             Marker::Circle => self.circle((x, y), 0.95 * r, fill, style.colour, 1.3),
             Marker::Square => {
-                self.shape(&at(&[(-0.85, -0.85), (0.85, -0.85), (0.85, 0.85), (-0.85, 0.85)]), fill, style.colour, 1.3);
+                self.shape(
+                    &at(&[(-0.85, -0.85), (0.85, -0.85), (0.85, 0.85), (-0.85, 0.85)]),
+                    fill,
+                    style.colour,
+                    1.3,
+                );
             }
-            Marker::Triangle => self.shape(&at(&[(0.0, -1.15), (1.05, 0.8), (-1.05, 0.8)]), fill, style.colour, 1.3),
-            Marker::Wedge => self.shape(&at(&[(0.0, 1.15), (1.05, -0.8), (-1.05, -0.8)]), fill, style.colour, 1.3),
+            Marker::Triangle => {
+                self.shape(&at(&[(0.0, -1.15), (1.05, 0.8), (-1.05, 0.8)]), fill, style.colour, 1.3)
+            }
+            Marker::Wedge => {
+                self.shape(&at(&[(0.0, 1.15), (1.05, -0.8), (-1.05, -0.8)]), fill, style.colour, 1.3)
+            }
             Marker::Diamond => {
                 self.shape(&at(&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0)]), fill, style.colour, 1.3);
             }

@@ -44,25 +44,49 @@ pub fn fig16(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         })
         .collect();
     let table = kappa_curves(lab, ("B", "1"), &curves)?;
-    let curve = |skew: f64, factor: f64| table.points("curve", &format!("α = {skew}, B = {factor}"), "N", "kappa");
+    let curve =
+        |skew: f64, factor: f64| table.points("curve", &format!("α = {skew}, B = {factor}"), "N", "kappa");
     let value = |skew: f64, factor: f64, n: usize| at(&curve(skew, factor), n);
     let lowest = |skew: f64, n: usize| -> f64 {
-        FACTORS.into_iter().min_by(|&a, &b| value(skew, a, n).total_cmp(&value(skew, b, n))).unwrap_or(f64::NAN)
+        FACTORS
+            .into_iter()
+            .min_by(|&a, &b| value(skew, a, n).total_cmp(&value(skew, b, n)))
+            .unwrap_or(f64::NAN)
     };
     let slope = |factor: f64| power(&curve(0.0, factor), 100.0, 560.0);
     let spread = value(0.0, 4.0, 560) / value(0.0, 2.0, 560);
     let shape = vec![
         Check::slope("slope for B = 1, α = 0, N = 100 to 560", slope(1.0), 1.98, 2.01),
-        Check::within("κ for B = 1, α = 0, N = 560 over its closed form", value(0.0, 1.0, 560) / circular(560), 1.0 - 1e-12, 1.0 + 1e-12),
+        Check::within(
+            "κ for B = 1, α = 0, N = 560 over its closed form",
+            value(0.0, 1.0, 560) / circular(560),
+            1.0 - 1e-12,
+            1.0 + 1e-12,
+        ),
         Check::slope("slope for B = 1.5", slope(1.5), 0.9, 1.2),
         Check::slope("slope for B = 2", slope(2.0), 0.9, 1.15),
         Check::slope("slope for B = 4", slope(4.0), 0.9, 1.15),
         Check::within("B of the lowest curve at N = 220, α = 0", lowest(0.0, 220), 2.0, 2.0),
         Check::within("κ for B = 4 over B = 2 at N = 560", spread, 1.0, 1.2),
-        Check::within("κ for α = 1 over α = 0, B = 1, N = 220", value(1.0, 1.0, 220) / value(0.0, 1.0, 220), 0.2, 0.95),
-        Check::within("κ for α = 1 over α = 0, B = 2, N = 220", value(1.0, 2.0, 220) / value(0.0, 2.0, 220), 0.2, 0.95),
+        Check::within(
+            "κ for α = 1 over α = 0, B = 1, N = 220",
+            value(1.0, 1.0, 220) / value(0.0, 1.0, 220),
+            0.2,
+            0.95,
+        ),
+        Check::within(
+            "κ for α = 1 over α = 0, B = 2, N = 220",
+            value(1.0, 2.0, 220) / value(0.0, 2.0, 220),
+            0.2,
+            0.95,
+        ),
         Check::within("B of the lowest curve at N = 220, α = 1, q = 0", lowest(1.0, 220), 2.0, 3.0),
-        Check::within("κ for B = 3 over B = 2 at N = 220, α = 1", value(1.0, 3.0, 220) / value(1.0, 2.0, 220), 0.9, 1.1),
+        Check::within(
+            "κ for B = 3 over B = 2 at N = 220, α = 1",
+            value(1.0, 3.0, 220) / value(1.0, 2.0, 220),
+            0.9,
+            1.1,
+        ),
     ];
     let three: Vec<String> = samples(560)
         .into_iter()
@@ -102,7 +126,8 @@ pub fn fig17(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
             for j in i + 1..=n {
                 if carried[i] != carried[j] {
                     pairs += 1.0;
-                    agree += f64::from(u8::from((x[i - 1].abs() > x[j - 1].abs()) == (carried[i] > carried[j])));
+                    agree +=
+                        f64::from(u8::from((x[i - 1].abs() > x[j - 1].abs()) == (carried[i] > carried[j])));
                 }
             }
         }
@@ -115,6 +140,11 @@ pub fn fig17(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
             shape.push(Check::truth("branch points at links 8, 16 and 24", branches == [8, 16, 24]));
         }
     }
-    shape.push(Check::within("number of joints that share the motion, 1/Σx⁴: B = 1.125 over B = 1", gathered[1] / gathered[0], 0.1, 0.8));
+    shape.push(Check::within(
+        "number of joints that share the motion, 1/Σx⁴: B = 1.125 over B = 1",
+        gathered[1] / gathered[0],
+        0.1,
+        0.8,
+    ));
     Ok(Outcome::new(table, vec![Reading::shape("F-fig17", shape)]))
 }

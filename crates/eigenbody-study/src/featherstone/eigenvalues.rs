@@ -60,7 +60,12 @@ pub fn fig11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     }
     let checks = vec![
         Check::within("part of the eigenvalues above the mean at N = 2", shares[0], 0.5, 0.5),
-        Check::within("λmin/(I_min/4), I_min = 0.08458 kg m², zag(0), N = 1000", least / (SINGLE / 4.0), 1.0, 1.001),
+        Check::within(
+            "λmin/(I_min/4), I_min = 0.08458 kg m², zag(0), N = 1000",
+            least / (SINGLE / 4.0),
+            1.0,
+            1.001,
+        ),
         Check::within("θ of the largest λmin over zag(θ), N = 100 (rad)", theta.0, 2.4, 2.5),
         Check::within("λmin at N = 10 against N = 1000", smallest_at(lab, 10, 0.0)? / least, 1.0, 1.1),
     ];
@@ -111,7 +116,12 @@ pub fn fig12(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         Check::slope("slope at N = 100, harmonics 2 to 20", line(100, 2.0, 20.0), 3.8, 4.8),
         Check::slope("slope at N = 200, harmonics 2 to 20", line(200, 2.0, 20.0), 3.8, 4.8),
         Check::slope("slope at N = 200, harmonics 10 to 40", line(200, 10.0, 40.0), 3.8, 4.3),
-        Check::within("lines for N = 100 and 200 apart at i = 1, over their distance at i = 10", apart(1.0) / apart(0.1), 0.95, 1.05),
+        Check::within(
+            "lines for N = 100 and 200 apart at i = 1, over their distance at i = 10",
+            apart(1.0) / apart(0.1),
+            0.95,
+            1.05,
+        ),
     ];
     Ok(Outcome::new(table, vec![Reading::shape("F-fig12", shape)]))
 }
@@ -142,7 +152,12 @@ pub fn fig13(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         Check::within("λmax/H₁₁ at R = 0.1 over R = 1: falls slightly faster", pace[3] / pace[0], 0.2, 0.999),
         Check::within("λmax/H₁₁ at R = 0.5 over R = 1", pace[1] / pace[0], 0.2, 0.999),
         Check::within("staircase: a large step over a middling one, R = 1", roughness[0], 5.0, f64::INFINITY),
-        Check::within("the same at R = 0.1, over that at R = 1: smoother", roughness[3] / roughness[0], 0.0, 0.6),
+        Check::within(
+            "the same at R = 0.1, over that at R = 1: smoother",
+            roughness[3] / roughness[0],
+            0.0,
+            0.6,
+        ),
     ];
     Ok(Outcome::new(table, vec![Reading::shape("F-fig13", shape)]))
 }

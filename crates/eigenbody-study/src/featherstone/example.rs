@@ -21,8 +21,13 @@ pub fn eq1(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let tau = inverse_dynamics(&still, &posed.q, &zero, &one)?;
     let rounded = [302.0, 250.0, 201.0, 151.0, 106.0, 64.5, 31.5, 8.68];
     let vdot = forward_dynamics(&still, &posed.q, &zero, &rounded)?;
-    let numbers =
-        [("joint", "1"), ("tau", "N m"), ("tau_rounded", "N m"), ("vdot_desired", "rad/s^2"), ("vdot", "rad/s^2")];
+    let numbers = [
+        ("joint", "1"),
+        ("tau", "N m"),
+        ("tau_rounded", "N m"),
+        ("vdot_desired", "rad/s^2"),
+        ("vdot", "rad/s^2"),
+    ];
     let mut table = Table::new(&[], &numbers);
     for i in 0..8 {
         table.push([], [i as f64 + 1.0, tau[i], rounded[i], 1.0, vdot[i]].map(Some));

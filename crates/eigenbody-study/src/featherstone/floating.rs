@@ -27,11 +27,18 @@ pub fn fig18(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     for angle in [0.0, 2.5, 3.0] {
         for (kind, member) in [("fixed", &planar as Member<'_>), ("floating", &freed)] {
             let name = format!("{kind}, {}", theta(angle));
-            curves.push(Curve { name, parameter: angle, member, posture: Posture::Zag(angle), samples: samples(560) });
+            curves.push(Curve {
+                name,
+                parameter: angle,
+                member,
+                posture: Posture::Zag(angle),
+                samples: samples(560),
+            });
         }
     }
     let table = kappa_curves(lab, ("theta", "rad"), &curves)?;
-    let curve = |kind: &str, angle: f64| table.points("curve", &format!("{kind}, {}", theta(angle)), "N", "kappa");
+    let curve =
+        |kind: &str, angle: f64| table.points("curve", &format!("{kind}, {}", theta(angle)), "N", "kappa");
     let ratio = |angle: f64, n: usize| at(&curve("fixed", angle), n) / at(&curve("floating", angle), n);
     let crossing = |kind: &str, first: f64, last: f64| {
         let points = curve(kind, 3.0);
@@ -44,7 +51,12 @@ pub fn fig18(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         Check::within("fixed/floating at θ = 3.0, N = 4", ratio(3.0, 4), 2.5, 4.5),
         Check::within("fixed/floating at θ = 3.0, N = 10", ratio(3.0, 10), 3.0, 4.5),
         Check::within("N of the transition at θ = 3.0, floating over fixed", apart, 2.3, 3.8),
-        Check::slope("floating slope at θ = 0, N = 100 to 560", power(&curve("floating", 0.0), 100.0, 560.0), 3.9, 4.05),
+        Check::slope(
+            "floating slope at θ = 0, N = 100 to 560",
+            power(&curve("floating", 0.0), 100.0, 560.0),
+            3.9,
+            4.05,
+        ),
     ];
     let small_base = lab.kappa(&Family::hydra(3, 1.0, 0.0, 10.0)?.floating(), Posture::Zag(FRAC_PI_2))?;
     let fixed = lab.kappa(&Family::hydra(2, 1.0, 0.0, 10.0)?, Posture::Zag(FRAC_PI_2))?;

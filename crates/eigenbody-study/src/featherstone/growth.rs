@@ -12,6 +12,7 @@ use std::f64::consts::PI;
 /// The paper's range of N.
 const LAST: usize = 560;
 /// Beyond the paper.
+const LONG: usize = 100_000;
 const MILLION: usize = 1_000_000;
 
 fn zigzags(lab: &Lab<'_>, angles: &[f64], samples: &[usize]) -> Result<Table, StudyError> {
@@ -78,13 +79,30 @@ fn above(table: &Table, curve: &[(f64, f64)]) -> f64 {
     points.filter(|&(n, kappa)| kappa > at(curve, n as usize) * (1.0 + 1e-12)).count() as f64
 }
 
-/// Samples of the figures that go to a million links; a tenth of a million and fewer in a quick run.
-fn far(lab: &Lab<'_>) -> Vec<usize> {
-    let last = if lab.quick { 10_000 } else { MILLION };
-    let mut found: Vec<usize> = samples(LAST).into_iter().filter(|&n| n <= 8 || n % 10 == 0 || n < 100).collect();
+/// Samples of the figures that go beyond: to a million links, or to a hundred thousand; to ten thousand in a quick run.
+fn far(lab: &Lab<'_>, last: usize) -> Vec<usize> {
+    let last = if lab.quick { 10_000 } else { last };
+    let mut found: Vec<usize> =
+        samples(LAST).into_iter().filter(|&n| n <= 8 || n % 10 == 0 || n < 100).collect();
     let beyond = [1000, 1800, 3300, 5600, 10_000, 18_000, 33_000, 56_000, 100_000, MILLION];
     found.extend(beyond.into_iter().filter(|&n| n <= last));
     found
+}
+
+/// Curves beyond the paper: those angles that say so go to a million.
+fn beyond(
+    lab: &Lab<'_>,
+    angles: [(f64, usize); 4],
+    posture: fn(f64) -> Posture,
+) -> Result<Table, StudyError> {
+    let curve = |(angle, last): (f64, usize)| Curve {
+        name: theta(angle),
+        parameter: angle,
+        member: &planar,
+        posture: posture(angle),
+        samples: far(lab, last),
+    };
+    kappa_curves(lab, ("theta", "rad"), &angles.map(curve))
 }
 
 /// Figure 6 continued to N = 10⁶.
@@ -93,7 +111,8 @@ fn far(lab: &Lab<'_>) -> Vec<usize> {
 ///
 /// [`StudyError`], as every experiment.
 pub fn fig6_beyond(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    Ok(Outcome::new(zigzags(lab, &[0.0, 3.0, 3.1, PI], &far(lab))?, Vec::new()))
+    let table = beyond(lab, [(0.0, MILLION), (3.0, LONG), (3.1, MILLION), (PI, LONG)], Posture::Zag)?;
+    Ok(straightness(table, "θ = 0"))
 }
 
 /// Figure 7: κ of hydra(N,1,0,1) in curl(θ).
@@ -104,7 +123,8 @@ pub fn fig6_beyond(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 pub fn fig7(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let table = postures(lab, &[0.0, 0.03, 0.1, 0.3, 1.0, 2.2], &samples(LAST), Posture::Curl)?;
     let arc = table.points("curve", "θ = 0.1", "N", "kappa");
-    let local: Vec<(f64, f64)> = arc.windows(2).map(|pair| (pair[1].0, power(pair, 1.0, 1e9).slope)).collect();
+    let local: Vec<(f64, f64)> =
+        arc.windows(2).map(|pair| (pair[1].0, power(pair, 1.0, 1e9).slope)).collect();
     let circle = 2.0 * PI / 0.1;
     let first_rise = local.windows(2).find(|pair| pair[0].0 > circle / 2.0 && pair[1].1 > pair[0].1);
     let minimum = first_rise.map_or((f64::NAN, f64::NAN), |pair| pair[0]);
@@ -114,12 +134,29 @@ pub fn fig7(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let shape = vec![
         Check::slope("slope at θ = 0.1, N = 6 to 18", power(&arc, 6.0, 18.0), 3.5, 4.1),
         Check::within("slope at θ = 0.1 past a semicircle, N = 33 to 39", slope_at(&local, 39), 1.5, 3.3),
-        Check::within("N of the first minimum of the slope at θ = 0.1 (circle at 62.8)", minimum.0, circle, 1.4 * circle),
+        Check::within(
+            "N of the first minimum of the slope at θ = 0.1 (circle at 62.8)",
+            minimum.0,
+            circle,
+            1.4 * circle,
+        ),
         Check::within("that slope", minimum.1, 0.0, 1.2),
         Check::within("largest slope after it: an undulation about 2", overshoot, 1.9, 2.9),
         Check::slope("slope at θ = 1, N = 100 to 560", power(&wound, 100.0, 560.0), 1.9, 2.1),
     ];
     Ok(Outcome::new(table, vec![Reading::shape("F-fig7", shape)]))
+}
+
+/// A remark on the slope at the far end of a curve.
+fn straightness(table: Table, name: &str) -> Outcome {
+    let points = table.points("curve", name, "N", "kappa");
+    let (last, kappa) = points.last().copied().unwrap_or((f64::NAN, f64::NAN));
+    let line = power(&points, 0.1 * last, last);
+    let remark = format!(
+        "{name}: slope {:.4} ± {:.4} over the last decade, κ = {kappa:.10e} at N = {last}.",
+        line.slope, line.half_width
+    );
+    Outcome::new(table, Vec::new()).remarking(remark)
 }
 
 fn slope_at(local: &[(f64, f64)], n: usize) -> f64 {
@@ -132,7 +169,8 @@ fn slope_at(local: &[(f64, f64)], n: usize) -> f64 {
 ///
 /// [`StudyError`], as every experiment.
 pub fn fig7_beyond(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    Ok(Outcome::new(postures(lab, &[0.001, 0.01, 0.1, 1.0], &far(lab), Posture::Curl)?, Vec::new()))
+    let table = beyond(lab, [(0.001, MILLION), (0.01, LONG), (0.1, LONG), (1.0, MILLION)], Posture::Curl)?;
+    Ok(straightness(table, "θ = 1"))
 }
 
 /// Figure 8: spatial chains beside planar ones in zag(θ).
@@ -151,7 +189,8 @@ pub fn fig8(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         }
     }
     let table = kappa_curves(lab, ("theta", "rad"), &curves)?;
-    let curve = |kind: &str, angle: f64| table.points("curve", &format!("{kind}, {}", theta(angle)), "N", "kappa");
+    let curve =
+        |kind: &str, angle: f64| table.points("curve", &format!("{kind}, {}", theta(angle)), "N", "kappa");
     let ratio = |angle: f64, from: f64, to: f64| -> Vec<f64> {
         let both = curve("planar", angle).into_iter().zip(curve("spatial", angle));
         both.filter(|(p, _)| (from..=to).contains(&p.0)).map(|(p, s)| p.1 / s.1).collect()
@@ -162,9 +201,24 @@ pub fn fig8(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let shape = vec![
         Check::within("largest planar/spatial at θ = 0", largest(&steep), 2.3, 2.55),
         Check::within("smallest planar/spatial at θ = 0", smallest(&steep), 1.0, 2.0),
-        Check::within("largest planar/spatial at θ = 3.0, N = 2 to 10 (N² slope)", largest(&folded), 1.0, 1.3),
-        Check::slope("spatial slope at θ = 0, N = 100 to 560", power(&curve("spatial", 0.0), 100.0, 560.0), 3.9, 4.05),
-        Check::slope("spatial slope at θ = 3.0, N = 3 to 8", power(&curve("spatial", 3.0), 3.0, 8.0), 1.8, 2.2),
+        Check::within(
+            "largest planar/spatial at θ = 3.0, N = 2 to 10 (N² slope)",
+            largest(&folded),
+            1.0,
+            1.3,
+        ),
+        Check::slope(
+            "spatial slope at θ = 0, N = 100 to 560",
+            power(&curve("spatial", 0.0), 100.0, 560.0),
+            3.9,
+            4.05,
+        ),
+        Check::slope(
+            "spatial slope at θ = 3.0, N = 3 to 8",
+            power(&curve("spatial", 3.0), 3.0, 8.0),
+            1.8,
+            2.2,
+        ),
     ];
     Ok(Outcome::new(table, vec![Reading::shape("F-fig8", shape)]))
 }
@@ -193,7 +247,12 @@ pub fn asymptotic(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         }
         let points = table.points("curve", &name, "estimate", "kappa");
         let late: Vec<(f64, f64)> = points[points.len().saturating_sub(10)..].to_vec();
-        shape.push(Check::slope(format!("exponent of κ in N H₁₁/H_NN, {name}, last ten N"), power(&late, 0.0, f64::INFINITY), 0.95, 1.05));
+        shape.push(Check::slope(
+            format!("exponent of κ in N H₁₁/H_NN, {name}, last ten N"),
+            power(&late, 0.0, f64::INFINITY),
+            0.95,
+            1.05,
+        ));
     }
     Ok(Outcome::new(table, vec![Reading::shape("F-asymptotic", shape)]))
 }

@@ -68,7 +68,10 @@ pub fn fig2(_: &Lab<'_>) -> Result<Outcome, StudyError> {
     let unbranched = planar(50)?;
     let shape = vec![
         Check::truth("B = 1.5: one child and two in turn, links 1 to 390", alternates),
-        Check::truth("B = 2: P = [0, 1, 1, 2, 2]", [1, 2, 3, 4, 5].map(|i| binary.parent(i)) == [0, 1, 1, 2, 2]),
+        Check::truth(
+            "B = 2: P = [0, 1, 1, 2, 2]",
+            [1, 2, 3, 4, 5].map(|i| binary.parent(i)) == [0, 1, 1, 2, 2],
+        ),
         Check::truth("B = 1: P(i) = i − 1", (1..=50).all(|i| unbranched.parent(i) == i - 1)),
         Check::within("children of the root, B = 1.5", children[0] as f64, 1.0, 1.0),
     ];

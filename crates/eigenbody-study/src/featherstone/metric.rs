@@ -95,9 +95,24 @@ pub fn fig21(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     };
     let per_link = -5.0 * 0.7f64.log10();
     let shape = vec![
-        Check::slope("powers of ten of κ a link, ρ = 0.7, N = 8 on (5 log 1/ρ = 0.775)", line(&log), per_link, 1.15 * per_link),
-        Check::within("κ′ at N = 40 over N = 20, ρ = 0.5", weighted(0.5, 40)? / weighted(0.5, 20)?, 1.0, 1.05),
-        Check::within("κ′ at N = 80 over N = 40, ρ = 0.7", weighted(0.7, 80)? / weighted(0.7, 40)?, 1.0, 1.05),
+        Check::slope(
+            "powers of ten of κ a link, ρ = 0.7, N = 8 on (5 log 1/ρ = 0.775)",
+            line(&log),
+            per_link,
+            1.15 * per_link,
+        ),
+        Check::within(
+            "κ′ at N = 40 over N = 20, ρ = 0.5",
+            weighted(0.5, 40)? / weighted(0.5, 20)?,
+            1.0,
+            1.05,
+        ),
+        Check::within(
+            "κ′ at N = 80 over N = 40, ρ = 0.7",
+            weighted(0.7, 80)? / weighted(0.7, 40)?,
+            1.0,
+            1.05,
+        ),
         Check::within("κ′ at N = 19, ρ = 0.5", weighted(0.5, 19)?, 16.2, 16.4),
         Check::within("κ′ at N = 19, ρ = 0.7", weighted(0.7, 19)?, 186.0, 187.5),
     ];

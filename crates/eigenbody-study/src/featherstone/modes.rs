@@ -19,7 +19,9 @@ pub fn fig14(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let mut table = Table::new(&[("curve", "")], &numbers);
     let mut turns = Vec::new();
     let mut one_sign = true;
-    for (name, n, mode) in [("e₁, N = 20", 20, 1), ("e₂, N = 20", 20, 2), ("e₃, N = 20", 20, 3), ("d₁, N = 10", 10, 1)] {
+    for (name, n, mode) in
+        [("e₁, N = 20", 20, 1), ("e₂, N = 20", 20, 2), ("e₃, N = 20", 20, 3), ("d₁, N = 10", 10, 1)]
+    {
         let H = lab.pose(&planar(n)?, Posture::Zag(0.0))?.mass_matrix()?;
         let vectors = eigen(&H, &vec![1.0; n])?.vectors;
         let x = vectors.row(n - mode);

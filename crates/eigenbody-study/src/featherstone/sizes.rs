@@ -13,7 +13,8 @@ use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
 /// The two postures of both figures.
-const POSTURES: [(&str, Posture); 2] = [("curl(0)", Posture::Curl(0.0)), ("curl(π/2)", Posture::Curl(FRAC_PI_2))];
+const POSTURES: [(&str, Posture); 2] =
+    [("curl(0)", Posture::Curl(0.0)), ("curl(π/2)", Posture::Curl(FRAC_PI_2))];
 /// Where a matrix is singular in double precision.
 const SINGULAR: f64 = 1.0 / f64::EPSILON;
 
@@ -38,7 +39,13 @@ fn taper_curves(lab: &Lab<'_>, tapers: &[f64], last: impl Fn(f64) -> usize) -> R
     for (name, posture) in POSTURES {
         for (taper, member) in &members {
             let samples = samples(last(*taper));
-            curves.push(Curve { name: format!("{name}, ρ = {taper}"), parameter: *taper, member: &**member, posture, samples });
+            curves.push(Curve {
+                name: format!("{name}, ρ = {taper}"),
+                parameter: *taper,
+                member: &**member,
+                posture,
+                samples,
+            });
         }
     }
     kappa_curves(lab, ("rho", "1"), &curves)
@@ -50,7 +57,8 @@ fn taper_curves(lab: &Lab<'_>, tapers: &[f64], last: impl Fn(f64) -> usize) -> R
 ///
 /// [`StudyError`], as every experiment.
 pub fn fig9(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    let all = taper_curves(lab, &[0.7, 0.8, 0.9, 0.95, 0.99, 1.0], |taper| if taper < 0.9 { 100 } else { 560 })?;
+    let all =
+        taper_curves(lab, &[0.7, 0.8, 0.9, 0.95, 0.99, 1.0], |taper| if taper < 0.9 { 100 } else { 560 })?;
     let mut table = Table::new(&[("curve", "")], &[("rho", "1"), ("N", "1"), ("kappa", "1")]);
     for name in all.distinct("curve") {
         let rho = all.points("curve", name, "rho", "N").first().map(|point| point.0);
@@ -72,9 +80,24 @@ pub fn fig9(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         }
     }
     let shape = vec![
-        Check::within("ρ = 0.7, curl(0): size ratio at the last N below 1/ε (600)", 0.7f64.powf(1.0 - dense as f64), 570.0, 650.0),
-        Check::within("ρ = 0.99, curl(0): size ratio at the last sample (28)", end("curl(0), ρ = 0.99", 0.99), 26.0, 29.0),
-        Check::within("ρ = 0.99, curl(π/2): size ratio at the last sample (280)", end("curl(π/2), ρ = 0.99", 0.99), 270.0, 285.0),
+        Check::within(
+            "ρ = 0.7, curl(0): size ratio at the last N below 1/ε (600)",
+            0.7f64.powf(1.0 - dense as f64),
+            570.0,
+            650.0,
+        ),
+        Check::within(
+            "ρ = 0.99, curl(0): size ratio at the last sample (28)",
+            end("curl(0), ρ = 0.99", 0.99),
+            26.0,
+            29.0,
+        ),
+        Check::within(
+            "ρ = 0.99, curl(π/2): size ratio at the last sample (280)",
+            end("curl(π/2), ρ = 0.99", 0.99),
+            270.0,
+            285.0,
+        ),
     ];
     let note = format!("a dense κ for ρ = 0.7 stays below 1/ε = 4.5·10¹⁵ up to N = {dense}");
     Ok(Outcome::new(table, vec![Reading::shape("F-fig9", shape).noting(note)]))
@@ -130,14 +153,16 @@ pub fn fig10(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         .into_par_iter()
         .with_max_len(1)
         .map(|(name, posture, ratio, n)| {
-            let posed = lab.pose(&Family::hydra(n, 1.0, 0.0, 1.0)?.with_size_ratio(decimal(ratio))?, posture)?;
+            let posed =
+                lab.pose(&Family::hydra(n, 1.0, 0.0, 1.0)?.with_size_ratio(decimal(ratio))?, posture)?;
             let kappa = posed.ends()?.kappa();
             // A dense solver takes its time: only where the paper prints numbers, and for small robots.
             let dense = if n <= 100 || n == last { plain_kappa(&posed.mass_matrix()?)? } else { None };
             Ok((format!("{name}, R = {ratio}"), [Some(ratio), Some(n as f64), Some(kappa), dense]))
         })
         .collect();
-    let mut table = Table::new(&[("curve", "")], &[("R", "1"), ("N", "1"), ("kappa", "1"), ("kappa_dense", "1")]);
+    let mut table =
+        Table::new(&[("curve", "")], &[("R", "1"), ("N", "1"), ("kappa", "1"), ("kappa_dense", "1")]);
     for (name, numbers) in rows? {
         table.push([name], numbers);
     }

@@ -16,7 +16,14 @@ use rayon::prelude::*;
 ///
 /// [`StudyError`], as every experiment.
 pub fn wide_swing(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    let numbers = [("t", "s"), ("kappa", "1"), ("delta_scaled", "1"), ("lower", "1"), ("upper", "1"), ("pivot_ratio", "1")];
+    let numbers = [
+        ("t", "s"),
+        ("kappa", "1"),
+        ("delta_scaled", "1"),
+        ("lower", "1"),
+        ("upper", "1"),
+        ("pivot_ratio", "1"),
+    ];
     let mut table = Table::new(&[], &numbers);
     // A family's gravity is along −y, its links along x.
     let chain = lab.robots.model(&Family::slender_chain(4, MASS_KG, 1.0)?)?;

@@ -123,7 +123,11 @@ pub fn eq11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
                 let largest = expected.iter().fold(0.0f64, |m, x| m.max(x.abs()));
                 let difference: Vec<f64> = found.iter().zip(&expected).map(|(a, b)| a - b).collect();
                 let residual = H.times(&difference).iter().fold(0.0f64, |m, x| m.max(x.abs()));
-                let row = [apart(&denoc.mass_matrix()?), apart(&udu.reconstruct(&denoc)?), residual / (H.max_abs() * largest)];
+                let row = [
+                    apart(&denoc.mass_matrix()?),
+                    apart(&udu.reconstruct(&denoc)?),
+                    residual / (H.max_abs() * largest),
+                ];
                 (entries, solves) = (entries.max(row[0]).max(row[1]), solves.max(row[2]));
                 table.push([name.into()], [n as f64, row[0], row[1], row[2]].map(Some));
             }
@@ -131,7 +135,12 @@ pub fn eq11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     }
     let shape = vec![
         Check::within("largest difference of an entry, over max|H|", entries, 0.0, 1e-13),
-        Check::within("largest difference of UDUᵀ and ABA as a force, over max|H| max|v̇|", solves, 0.0, 1e-12),
+        Check::within(
+            "largest difference of UDUᵀ and ABA as a force, over max|H| max|v̇|",
+            solves,
+            0.0,
+            1e-12,
+        ),
     ];
     Ok(Outcome::new(table, vec![Reading::shape("S-eq11", shape)]))
 }

@@ -80,7 +80,19 @@ pub fn fig2(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         let I = [0, 1, 2, 3].map(|i| H[(i, i)]);
         is_ordered &= I[0] >= I[1].max(I[2]).max(I[3]);
         (first.push(I[0]), largest.push(lambda[0]));
-        let cells = [t, lambda[0], lambda[1], lambda[2], lambda[3], I[0], I[1], I[2], I[3], found.kappa, found.diagonal_ratio];
+        let cells = [
+            t,
+            lambda[0],
+            lambda[1],
+            lambda[2],
+            lambda[3],
+            I[0],
+            I[1],
+            I[2],
+            I[3],
+            found.kappa,
+            found.diagonal_ratio,
+        ];
         table.push([], cells.map(Some));
         motion.push((t, found));
     }
@@ -88,7 +100,12 @@ pub fn fig2(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let shape = vec![
         Check::within("correlation of I₁₁ with λ₁", correlation(&first, &largest), 0.95, 1.0),
         Check::within("median of I₁₁/λ₁", median(&part), 0.5, 1.0),
-        Check::within("correlation of log I₁₁/I₄₄ with log κ", follows(&motion, |found| found.diagonal_ratio), 0.5, 1.0),
+        Check::within(
+            "correlation of log I₁₁/I₄₄ with log κ",
+            follows(&motion, |found| found.diagonal_ratio),
+            0.5,
+            1.0,
+        ),
         Check::within("largest |δ_s/κ − 1|", apart(&motion).1, 0.0, 0.15),
         Check::truth("I₁₁ is the largest diagonal element throughout", is_ordered),
     ];
@@ -107,8 +124,14 @@ pub fn fig3(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         for (t, found) in &motion {
             table.push([format!("n = {n}")], [n as f64, *t, found.kappa, found.diagonal_ratio].map(Some));
         }
-        let worst = motion.iter().fold(0.0f64, |worst, (_, found)| worst.max(found.kappa)) / (4.0 * (n as f64).powi(4));
-        shape.push(Check::within(format!("n = {n}: correlation of log I₁₁/I_nn with log κ"), follows(&motion, |found| found.diagonal_ratio), 0.8, 1.0));
+        let worst = motion.iter().fold(0.0f64, |worst, (_, found)| worst.max(found.kappa))
+            / (4.0 * (n as f64).powi(4));
+        shape.push(Check::within(
+            format!("n = {n}: correlation of log I₁₁/I_nn with log κ"),
+            follows(&motion, |found| found.diagonal_ratio),
+            0.8,
+            1.0,
+        ));
         shape.push(Check::within(format!("n = {n}: largest κ over 4 n⁴"), worst, 0.5, 1.3));
     }
     Ok(Outcome::new(table, vec![Reading::shape("S-fig3", shape)]))
@@ -120,15 +143,27 @@ pub fn fig3(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 ///
 /// [`StudyError`], as every experiment.
 pub fn fig4(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    let mut table = Table::new(&[("curve", "")], &[("n", "1"), ("t", "s"), ("pivot_ratio", "1"), ("kappa", "1")]);
+    let mut table =
+        Table::new(&[("curve", "")], &[("n", "1"), ("t", "s"), ("pivot_ratio", "1"), ("kappa", "1")]);
     let mut shape = Vec::new();
     for (n, motion) in lengths(lab, [10, 20])? {
         for (t, found) in &motion {
             table.push([format!("n = {n}")], [n as f64, *t, found.pivot_ratio, found.kappa].map(Some));
         }
-        let (pivot, diagonal) = (follows(&motion, |found| found.pivot_ratio), follows(&motion, |found| found.diagonal_ratio));
-        shape.push(Check::within(format!("n = {n}: correlation of log pivot ratio with log κ"), pivot, -1.0, 0.6));
-        shape.push(Check::within(format!("n = {n}: how much closer the diagonal ratio follows"), diagonal - pivot, 0.2, 2.0));
+        let (pivot, diagonal) =
+            (follows(&motion, |found| found.pivot_ratio), follows(&motion, |found| found.diagonal_ratio));
+        shape.push(Check::within(
+            format!("n = {n}: correlation of log pivot ratio with log κ"),
+            pivot,
+            -1.0,
+            0.6,
+        ));
+        shape.push(Check::within(
+            format!("n = {n}: how much closer the diagonal ratio follows"),
+            diagonal - pivot,
+            0.2,
+            2.0,
+        ));
     }
     Ok(Outcome::new(table, vec![Reading::shape("S-fig4", shape)]))
 }
@@ -148,8 +183,17 @@ pub fn fig5(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
             table.push([format!("n = {n}")], [n as f64, *t, found.kappa, scaled].map(Some));
         }
         let (middle, worst) = apart(&motion);
-        words.push(format!("n = {n}: off by {:.1}% in the median, {:.1}% at worst", 100.0 * middle, 100.0 * worst));
-        shape.push(Check::within(format!("n = {n}: correlation of log δ_s with log κ"), follows(&motion, |found| found.diagonal_ratio), 0.5, 1.0));
+        words.push(format!(
+            "n = {n}: off by {:.1}% in the median, {:.1}% at worst",
+            100.0 * middle,
+            100.0 * worst
+        ));
+        shape.push(Check::within(
+            format!("n = {n}: correlation of log δ_s with log κ"),
+            follows(&motion, |found| found.diagonal_ratio),
+            0.5,
+            1.0,
+        ));
         shape.push(Check::within(format!("n = {n}: largest |δ_s/κ − 1|"), worst, 0.0, 0.15));
     }
     Ok(Outcome::new(table, vec![Reading::shape("S-fig5", shape).noting(words.join("; "))]))
@@ -157,8 +201,11 @@ pub fn fig5(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 
 /// |δ_s/κ − 1| along a motion: median and largest.
 pub(super) fn apart(motion: &[(f64, Estimates)]) -> (f64, f64) {
-    let missed: Vec<f64> =
-        motion.iter().zip(scaled(motion)).map(|((_, found), scaled)| (scaled / found.kappa - 1.0).abs()).collect();
+    let missed: Vec<f64> = motion
+        .iter()
+        .zip(scaled(motion))
+        .map(|((_, found), scaled)| (scaled / found.kappa - 1.0).abs())
+        .collect();
     (median(&missed), missed.iter().copied().fold(0.0, f64::max))
 }
 

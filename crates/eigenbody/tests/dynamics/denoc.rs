@@ -83,7 +83,8 @@ fn solve_is_that_of_aba<T: Real>() {
         let H = mass_matrix(&still, &case.q).unwrap();
         let apart: Vec<T> = found.iter().zip(&expected).map(|(&a, &b)| a - b).collect();
         let error = largest(&H.times(&apart));
-        let tolerance = 32.0 * n as f64 * T::EPSILON * (H.max_abs() * largest(&expected) + largest(&case.vdot));
+        let tolerance =
+            32.0 * n as f64 * T::EPSILON * (H.max_abs() * largest(&expected) + largest(&case.vdot));
         assert!(error <= tolerance, "{}: {error:e}, {tolerance:e}", case.name);
     }
 }
@@ -104,7 +105,8 @@ fn factors_of_the_papers_chain() {
 
 #[test]
 fn bad_inputs_are_refused() {
-    let (chain, other) = [3, 4].map(|n| Family::slender_chain(n, 2.0, 1.0).unwrap().model::<f64>().unwrap()).into();
+    let (chain, other) =
+        [3, 4].map(|n| Family::slender_chain(n, 2.0, 1.0).unwrap().model::<f64>().unwrap()).into();
     let mut denoc = Denoc::new(&chain);
     assert!(matches!(denoc.update(&[0.0; 2]), Err(InputError::Length { what: "q", .. })));
     denoc.update(&[0.0; 3]).unwrap();
