@@ -102,7 +102,7 @@ pub fn simulate(
     schedule: &Schedule,
 ) -> Result<Vec<State>, SimulationError> {
     let Schedule { method, steps, span_s, intervals } = *schedule;
-    check(model, schedule)?;
+    check(model, q, v, schedule)?;
     let mut flow = Flow { model, workspace: AbaWorkspace::new(model), tau: vec![0.0; model.nv()] };
     let mut y = [q, v].concat();
     let interval = span_s / intervals as f64;
@@ -145,7 +145,10 @@ pub fn simulate(
     Ok(motion)
 }
 
-fn check(model: &Model<f64>, schedule: &Schedule) -> Result<(), SimulationError> {
+fn check(model: &Model<f64>, q: &[f64], v: &[f64], schedule: &Schedule) -> Result<(), SimulationError> {
+    let start = |error: eigenbody::InputError| SimulationError::Dynamics { t: 0.0, source: error.into() };
+    model.check_q(q).map_err(start)?;
+    model.check_v("v", v).map_err(start)?;
     let differs = |joint: &Joint<f64>| matches!(joint, Joint::Spherical | Joint::Floating | Joint::Planar);
     if let Some(joint) = model.joints().iter().find(|joint| differs(joint.kind())) {
         return Err(SimulationError::Joint(joint.name().to_owned()));
