@@ -34,6 +34,18 @@ pub fn folder(path: &Path, force: bool) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Files that others may read, as far as the user's mask allows: temporary ones are private unless told.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    #[allow(unused_mut)] // nothing to set elsewhere
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder
+}
+
 /// Writes beside the target and renames: an interrupted or failed run leaves the old file as it was.
 fn to_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -41,7 +53,7 @@ fn to_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
         return Err(io::Error::new(io::ErrorKind::NotFound, format!("no folder '{}'", folder.display())));
     }
     // The library's own message names the temporary file, which means nothing to the user: only the kind is kept.
-    let temporary = tempfile::NamedTempFile::new_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    let temporary = builder().tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     let mut out = io::BufWriter::new(temporary);
     write(&mut out)?;
     let temporary = out.into_inner().map_err(io::IntoInnerError::into_error)?;

@@ -160,9 +160,9 @@ mod tests {
 
     #[test]
     fn ticks_are_round_numbers() {
-        assert_eq!(words(Scale::Linear, 0.0, 1.0, 5), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(words(Scale::Linear, -0.4, 0.4, 4), ["−0.4", "−0.2", "0", "0.2", "0.4"]);
-        assert_eq!(words(Scale::Log, 1.0, 1e12, 6), ["1", "10²", "10⁴", "10⁶", "10⁸", "10¹⁰", "10¹²"]);
+        assert_eq!(words(Scale::Linear, 0.0, 1.0, 6), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(words(Scale::Linear, -0.4, 0.4, 5), ["−0.4", "−0.2", "0", "0.2", "0.4"]);
+        assert_eq!(words(Scale::Log, 1.0, 1e12, 7), ["1", "10²", "10⁴", "10⁶", "10⁸", "10¹⁰", "10¹²"]);
         assert_eq!(words(Scale::Log, 1.0, 560.0, 8), ["1", "2", "5", "10", "20", "50", "100", "200", "500"]);
     }
 

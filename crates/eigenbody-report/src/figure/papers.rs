@@ -9,6 +9,9 @@ use eigenbody_study::Table;
 const N: &str = "number of links N";
 const KAPPA: &str = "condition number κ";
 const LAMBDA: &str = "eigenvalue (kg m²)";
+const EITHER: &str = "condition number";
+const PLACE: &str = "place in the spectrum, smallest 0, largest 1";
+const COORDINATE: &str = "coordinate of the eigenvector";
 const TIME: &str = "time (s)";
 
 /// The figure of an experiment as SVG; none for experiments that only have numbers.
@@ -22,58 +25,36 @@ const TIME: &str = "time (s)";
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn draw(id: &str, title: &str, table: &Table) -> Option<String> {
+    let kappa = |curves| one(Axis::log(N), Axis::log(KAPPA), curves);
     let plot = match id {
-        "F-fig6" | "F-fig6-beyond" | "F-fig7" | "F-fig7-beyond" => {
-            one(Axis::log(N), Axis::log(KAPPA), curves(table, "N", "kappa"))
-        }
-        "F-fig8" | "F-fig9" | "F-fig9-beyond" => {
-            one(Axis::log(N), Axis::log(KAPPA), kinds(table, "N", "kappa"))
-        }
-        "F-fig10" => one(Axis::log(N), Axis::log(KAPPA), kinds(table, "N", "kappa")),
-        "F-fig11" => one(
-            Axis::linear("place in the spectrum, smallest 0, largest 1"),
-            Axis::log(LAMBDA),
-            curves(table, "x", "lambda"),
-        ),
+        "F-fig6" | "F-fig6-beyond" | "F-fig7" | "F-fig7-beyond" => kappa(curves(table, "N", "kappa")),
+        "F-fig8" | "F-fig9" | "F-fig9-beyond" | "F-fig10" => kappa(kinds(table, "N", "kappa")),
+        "F-fig11" | "F-fig13" => one(Axis::linear(PLACE), Axis::log(LAMBDA), curves(table, "x", "lambda")),
         "F-fig12" => {
             one(Axis::log("normalised period 1/i"), Axis::log(LAMBDA), curves(table, "period", "lambda"))
         }
-        "F-fig13" => one(
-            Axis::linear("place in the spectrum, smallest 0, largest 1"),
-            Axis::log(LAMBDA),
-            curves(table, "x", "lambda"),
-        ),
-        "F-fig14" => one(
-            Axis::linear("joint"),
-            Axis::linear("coordinate of the eigenvector"),
-            curves(table, "joint", "coordinate"),
-        ),
-        "F-Imin" => one(
-            Axis::linear("θ (rad)"),
-            Axis::linear("smallest eigenvalue (kg m²)"),
-            curves(table, "theta", "lambda_min"),
-        ),
+        "F-fig14" | "F-fig17" => {
+            one(Axis::linear("joint"), Axis::linear(COORDINATE), curves(table, "joint", "coordinate"))
+        }
+        "F-Imin" => {
+            let y = Axis::linear("smallest eigenvalue (kg m²)");
+            one(Axis::linear("θ (rad)"), y, curves(table, "theta", "lambda_min"))
+        }
         "F-asymptotic" => one(Axis::log(N), Axis::linear("κ / (N H₁₁/Hₙₙ)"), curves(table, "N", "ratio")),
         "F-fig16" => Plot { panels: split(table, "N", "kappa", N, KAPPA), columns: 1 },
-        "F-fig17" => one(
-            Axis::linear("joint"),
-            Axis::linear("coordinate of the eigenvector"),
-            curves(table, "joint", "coordinate"),
-        ),
         "F-fig18" => one(Axis::log("number of joints N"), Axis::log(KAPPA), kinds(table, "N", "kappa")),
-        "F-fig20" => one(Axis::log(N), Axis::log("condition number"), both_metrics(table)),
-        "F-fig21" => one(Axis::linear(N), Axis::log("condition number"), both_metrics(table)),
+        "F-fig20" => one(Axis::log(N), Axis::log(EITHER), both_metrics(table)),
+        "F-fig21" => one(Axis::linear(N), Axis::log(EITHER), both_metrics(table)),
         "S-eq11" => one(Axis::log(N), Axis::log("difference, over the largest entry"), rounding(table)),
         "S-fig2" => swing_of_four(table),
         "S-fig3" => pairs(table, &[("kappa", KAPPA), ("delta", "diagonal ratio δ")]),
         "S-fig4" => pairs(table, &[("pivot_ratio", "pivot ratio"), ("kappa", KAPPA)]),
         "S-fig5" => overlaid(table),
-        "S-beyond-swing" => {
-            one(Axis::linear(TIME), Axis::log("condition number"), estimators(table, None, "t"))
-        }
+        "S-beyond-swing" => one(Axis::linear(TIME), Axis::log(EITHER), estimators(table, None, "t")),
         "S-beyond-robots" => robots(table),
-        "F-fig1" | "F-fig5" | "F-fig15" | "F-fig19" => return Some(mechanism::planar(table, title)),
-        "S-fig1" => return Some(mechanism::planar(table, title)),
+        "F-fig1" | "F-fig5" | "F-fig15" | "F-fig19" | "S-fig1" => {
+            return Some(mechanism::planar(table, title));
+        }
         "F-fig2" => return Some(mechanism::tree(table, title)),
         "F-fig3" => return Some(mechanism::link(table, title)),
         "F-fig4" => return Some(mechanism::shells(table, title)),
@@ -231,7 +212,7 @@ fn overlaid(table: &Table) -> Plot {
         Panel {
             title: format!("({}) {name}", char::from(b'a' + k as u8)),
             x: Axis::linear(TIME),
-            y: Axis::linear("condition number"),
+            y: Axis::linear(EITHER),
             curves: vec![curve(0, "kappa", "κ"), curve(1, "delta_scaled", "scaled diagonal ratio δₛ")],
         }
     };
@@ -267,10 +248,7 @@ fn robots(table: &Table) -> Plot {
             }
         }
         Panel {
-            title: name.to_owned(),
-            x: Axis::linear("configuration, by κ"),
-            y: Axis::log("condition number"),
-            curves,
+            title: name.to_owned(), x: Axis::linear("configuration, by κ"), y: Axis::log(EITHER), curves
         }
     };
     Plot { panels: table.distinct("robot").into_iter().map(panel).collect(), columns: 2 }

@@ -140,10 +140,10 @@ impl Scene {
                 );
             }
             Marker::Triangle => {
-                self.shape(&at(&[(0.0, -1.15), (1.05, 0.8), (-1.05, 0.8)]), fill, style.colour, 1.3)
+                self.shape(&at(&[(0.0, -1.15), (1.05, 0.8), (-1.05, 0.8)]), fill, style.colour, 1.3);
             }
             Marker::Wedge => {
-                self.shape(&at(&[(0.0, 1.15), (1.05, -0.8), (-1.05, -0.8)]), fill, style.colour, 1.3)
+                self.shape(&at(&[(0.0, 1.15), (1.05, -0.8), (-1.05, -0.8)]), fill, style.colour, 1.3);
             }
             Marker::Diamond => {
                 self.shape(&at(&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0)]), fill, style.colour, 1.3);

@@ -1,12 +1,12 @@
 //! Trees: figures 16 and 17.
 
-use super::curves::{Curve, at, kappa_curves, samples};
+use super::curves::{Curve, OwnedMember, at, kappa_curves, samples};
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::fit::power;
 use crate::lab::{Lab, StudyError};
 use crate::table::Table;
-use eigenbody::{Family, Posture, family::FamilyError};
+use eigenbody::{Family, Posture};
 
 /// Branching factors.
 const FACTORS: [f64; 7] = [1.0, 1.125, 1.25, 1.5, 2.0, 3.0, 4.0];
@@ -25,8 +25,7 @@ fn circular(n: usize) -> f64 {
 ///
 /// [`StudyError`], as every experiment.
 pub fn fig16(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    type Boxed = Box<dyn Fn(usize) -> Result<Family, FamilyError> + Sync>;
-    let mut members: Vec<(String, f64, Boxed)> = Vec::new();
+    let mut members: Vec<(String, f64, OwnedMember)> = Vec::new();
     for skew in [0.0, 1.0] {
         for factor in FACTORS {
             let member = move |n| Family::onion(n, factor, skew, 1.0);

@@ -17,6 +17,9 @@ pub fn samples(last: usize) -> Vec<usize> {
 /// A robot for every N.
 pub type Member<'a> = &'a (dyn Fn(usize) -> Result<Family, FamilyError> + Sync);
 
+/// The same, owned: for members that remember a parameter.
+pub type OwnedMember = Box<dyn Fn(usize) -> Result<Family, FamilyError> + Sync>;
+
 /// One curve: its name and parameter, its robots, their posture, where it ends.
 pub struct Curve<'a> {
     pub name: String,

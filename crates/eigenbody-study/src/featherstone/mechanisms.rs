@@ -54,7 +54,7 @@ pub fn fig1(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 pub fn fig2(_: &Lab<'_>) -> Result<Outcome, StudyError> {
     let tree = Family::hydra(12, 1.5, 0.0, 1.0)?;
     let mut table = Table::new(&[], &[("link", "1"), ("parent", "1"), ("depth", "1")]);
-    let mut depth = vec![0.0; 13];
+    let mut depth = [0.0; 13];
     for i in 1..=12 {
         depth[i] = depth[tree.parent(i)] + 1.0;
         table.push([], [i as f64, tree.parent(i) as f64, depth[i]].map(Some));

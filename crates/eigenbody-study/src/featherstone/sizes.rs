@@ -1,6 +1,6 @@
 //! Links of different sizes: figures 9 and 10.
 
-use super::curves::{Curve, kappa_curves, samples};
+use super::curves::{Curve, OwnedMember, kappa_curves, samples};
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
@@ -31,10 +31,8 @@ fn tapered(n: usize, taper: f64) -> Result<Family, FamilyError> {
 }
 
 fn taper_curves(lab: &Lab<'_>, tapers: &[f64], last: impl Fn(f64) -> usize) -> Result<Table, StudyError> {
-    let members: Vec<(f64, Box<dyn Fn(usize) -> Result<Family, FamilyError> + Sync>)> = tapers
-        .iter()
-        .map(|&taper| (taper, Box::new(move |n| tapered(n, taper)) as Box<dyn Fn(usize) -> _ + Sync>))
-        .collect();
+    let members: Vec<(f64, OwnedMember)> =
+        tapers.iter().map(|&taper| (taper, Box::new(move |n| tapered(n, taper)) as OwnedMember)).collect();
     let mut curves = Vec::new();
     for (name, posture) in POSTURES {
         for (taper, member) in &members {

@@ -27,17 +27,17 @@ pub(super) fn matrices(model: &Model<f64>, lab: &Lab<'_>) -> Result<Vec<(f64, Ma
     released(model, lab)?.iter().map(|state| Ok((state.t, mass_matrix(model, &state.q)?))).collect()
 }
 
+/// κ and its estimates, and when.
+type Swing = Vec<(f64, Estimates)>;
+
 /// κ and its estimates along the motion of n links.
-fn along(lab: &Lab<'_>, n: usize) -> Result<Vec<(f64, Estimates)>, StudyError> {
+fn along(lab: &Lab<'_>, n: usize) -> Result<Swing, StudyError> {
     let matrices = matrices(&hanging(lab, n)?, lab)?;
     matrices.into_par_iter().map(|(t, H)| Ok((t, estimates(&H)?))).collect()
 }
 
 /// Several lengths at once.
-fn lengths<const K: usize>(
-    lab: &Lab<'_>,
-    links: [usize; K],
-) -> Result<Vec<(usize, Vec<(f64, Estimates)>)>, StudyError> {
+fn lengths<const K: usize>(lab: &Lab<'_>, links: [usize; K]) -> Result<Vec<(usize, Swing)>, StudyError> {
     links.into_par_iter().map(|n| Ok((n, along(lab, n)?))).collect()
 }
 
@@ -79,7 +79,8 @@ pub fn fig2(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         lambda.reverse();
         let I = [0, 1, 2, 3].map(|i| H[(i, i)]);
         is_ordered &= I[0] >= I[1].max(I[2]).max(I[3]);
-        (first.push(I[0]), largest.push(lambda[0]));
+        first.push(I[0]);
+        largest.push(lambda[0]);
         let cells = [
             t,
             lambda[0],
