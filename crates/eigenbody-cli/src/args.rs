@@ -25,6 +25,8 @@ pub enum Command {
     Spectrum(SpectrumArgs),
     /// The mass matrix H itself.
     Matrix(MatrixArgs),
+    /// Every figure and number of two papers on ill-conditioned mass matrices, printed against computed.
+    Reproduce(ReproduceArgs),
 }
 
 /// Which robot, in which configuration.
@@ -113,6 +115,30 @@ pub struct MatrixArgs {
     /// Write to a file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// `eigenbody reproduce`.
+#[derive(Debug, clap::Args)]
+pub struct ReproduceArgs {
+    /// Experiments or claims, such as F-fig6 or S-eq7; all if none is named. F: Featherstone (2004). S: Shah & Saha (2013).
+    #[arg(value_name = "ID")]
+    pub ids: Vec<String>,
+
+    /// The same as ID.
+    #[arg(long, value_name = "ID")]
+    pub figure: Vec<String>,
+
+    /// Folder for figures (SVG, PNG), tables (CSV), claims.json and index.html; made if it is not there.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+
+    /// Fewer points and smaller robots: seconds instead of a minute. Every claim is still tested.
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Write into a folder that is not empty.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `--base`.

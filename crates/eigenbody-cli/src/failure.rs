@@ -36,6 +36,22 @@ pub enum Failure {
         /// Why not.
         source: io::Error,
     },
+    /// A folder cannot take the output.
+    #[error("{}: {what}", path.display())]
+    Folder {
+        /// The folder.
+        path: PathBuf,
+        /// Why not.
+        what: String,
+    },
+    /// An experiment has no result.
+    #[error("{id}: {source}")]
+    Study {
+        /// The experiment.
+        id: &'static str,
+        /// Why not.
+        source: eigenbody_study::StudyError,
+    },
     /// The serialiser failed.
     #[error("JSON: {0}")]
     Json(String),

@@ -1,6 +1,6 @@
 //! The `eigenbody` command: how well-conditioned is this robot?
 //!
-//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 2 error.
+//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 1 a claim that is not reproduced, 2 error.
 
 #![forbid(unsafe_code)]
 // H is the book's symbol.
@@ -19,12 +19,14 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let args = Args::parse();
     let result = match &args.command {
-        None => commands::welcome::run(),
-        Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum),
-        Some(Command::Matrix(matrix)) => commands::matrix::run(matrix),
+        None => commands::welcome::run().map(|()| true),
+        Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum).map(|()| true),
+        Some(Command::Matrix(matrix)) => commands::matrix::run(matrix).map(|()| true),
+        Some(Command::Reproduce(reproduce)) => commands::reproduce::run(reproduce),
     };
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
         Err(failure) if failure.is_closed_pipe() => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("error: {failure}");

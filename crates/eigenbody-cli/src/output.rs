@@ -18,6 +18,34 @@ pub fn deliver(
     }
 }
 
+/// Makes the folder `path`, or checks that it takes files and is empty; with `force` it need not be empty.
+pub fn folder(path: &Path, force: bool) -> Result<(), Failure> {
+    let refuse = |what: String| Failure::Folder { path: path.to_owned(), what };
+    let system = |what: &str, error: &io::Error| refuse(format!("{what}: {}", error.kind()));
+    if path.exists() && !path.is_dir() {
+        return Err(refuse("not a folder".into()));
+    }
+    std::fs::create_dir_all(path).map_err(|error| system("the folder cannot be made", &error))?;
+    let mut entries = std::fs::read_dir(path).map_err(|error| system("the folder cannot be read", &error))?;
+    if !force && entries.next().is_some() {
+        return Err(refuse("the folder is not empty; --force writes into it all the same".into()));
+    }
+    tempfile::NamedTempFile::new_in(path).map_err(|error| system("the folder cannot be written", &error))?;
+    Ok(())
+}
+
+/// Files that others may read, as far as the user's mask allows: temporary ones are private unless told.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    #[allow(unused_mut)] // nothing to set elsewhere
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder
+}
+
 /// Writes beside the target and renames: an interrupted or failed run leaves the old file as it was.
 fn to_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -25,7 +53,7 @@ fn to_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
         return Err(io::Error::new(io::ErrorKind::NotFound, format!("no folder '{}'", folder.display())));
     }
     // The library's own message names the temporary file, which means nothing to the user: only the kind is kept.
-    let temporary = tempfile::NamedTempFile::new_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    let temporary = builder().tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     let mut out = io::BufWriter::new(temporary);
     write(&mut out)?;
     let temporary = out.into_inner().map_err(io::IntoInnerError::into_error)?;

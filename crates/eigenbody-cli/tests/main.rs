@@ -5,5 +5,6 @@
 
 mod bad_input;
 mod matrix;
+mod reproduce;
 mod run;
 mod spectrum;

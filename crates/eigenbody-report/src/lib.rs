@@ -1,15 +1,20 @@
-//! How results are shown: a table that a person wants to read, and exact JSON, CSV and NPY.
+//! How results are shown: a table that a person wants to read, exact JSON, CSV and NPY, figures as SVG and PNG, a gallery.
 //!
 //! Nothing is computed here: a result comes in, text or bytes go out.
 
 #![forbid(unsafe_code)]
 
+pub mod figure;
 mod matrix;
 mod number;
+mod reproduction;
 mod spectrum;
+mod table;
 mod text;
 
 pub use matrix::MatrixReport;
 pub use number::significant;
+pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
 pub use spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
+pub use table::write_table_csv;
 pub use text::{Mode, modes};

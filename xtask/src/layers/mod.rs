@@ -16,9 +16,10 @@ use files::{Source, entries, read, sources};
 use order::Order;
 
 /// The crates: each uses only those before it. docs/ARCHITECTURE.md says the same.
-const CRATES: [&str; 5] = [
+const CRATES: [&str; 6] = [
     "crates/eigenbody",
     "crates/eigenbody-formats",
+    "crates/eigenbody-study",
     "crates/eigenbody-report",
     "crates/eigenbody-cli",
     "xtask",

@@ -6,6 +6,7 @@
 mod aba;
 mod bias;
 mod crba;
+mod denoc;
 mod energy;
 mod floating;
 mod gradient;
@@ -18,6 +19,7 @@ mod rnea;
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
 pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
+pub use denoc::{Denoc, Udu};
 pub use energy::{Energy, energy, energy_into};
 pub use floating::{FloatingWorkspace, floating_mass_matrix, floating_mass_matrix_into};
 pub use gradient::{GradientWorkspace, kinetic_energy_gradient, kinetic_energy_gradient_into};

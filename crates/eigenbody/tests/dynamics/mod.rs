@@ -3,6 +3,7 @@
 mod aba;
 mod bias;
 mod crba;
+mod denoc;
 mod energy;
 mod floating;
 mod gradient;

@@ -1,0 +1,21 @@
+//! Figures: SVG from tables, PNG from the same SVG.
+//!
+//! [`draw`] knows how each experiment of a study is drawn; [`Plot`] and [`mechanism`] are what it draws with. Curves differ in
+//! colour (Okabe & Ito's palette, safe for colour-blind readers), in dashes and in markers, so that they can be told apart in grey.
+
+mod axis;
+pub mod mechanism;
+mod papers;
+mod plot;
+#[cfg(feature = "png")]
+mod png;
+mod scene;
+mod style;
+
+pub use axis::{Axis, Scale};
+pub use papers::draw;
+pub use plot::{Curve, Panel, Plot};
+#[cfg(feature = "png")]
+pub use png::{PngError, png};
+pub use scene::{Anchor, Scene};
+pub use style::{Marker, Style};

@@ -1,0 +1,13 @@
+//! The study, held against its own copy of what the papers print.
+
+// H is the book's symbol.
+#![allow(non_snake_case)]
+// Helpers stop a test as its own lines would.
+#![allow(clippy::unwrap_used)]
+
+mod claims;
+mod corrupted;
+mod estimators;
+mod experiment;
+mod fit;
+mod simulate;
