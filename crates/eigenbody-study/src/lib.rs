@@ -20,6 +20,7 @@
 #![allow(non_snake_case)]
 
 pub mod claim;
+pub mod diagnosis;
 pub mod estimators;
 mod experiment;
 pub mod featherstone;

@@ -59,3 +59,42 @@ pub fn energy_into<T: Real>(
     }
     Ok(Energy { kinetic: twice * T::from_f64(0.5), potential: -model.gravity.dot(total.moment) })
 }
+
+/// Who carries the kinetic energy of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnergyShares<T> {
+    /// N: v_i · I_i v_i / 2T of every body.
+    pub bodies: Vec<T>,
+    /// nv: armature_d v_d² / 2T of every degree of freedom.
+    pub armature: Vec<T>,
+}
+
+/// Part of every body and every rotor in the kinetic energy of (q, v); they sum to one.
+///
+/// | name | shape | unit |
+/// |------|-------|------|
+/// | `q` | `nq` | rad, m, unit quaternion |
+/// | `v` | `nv` | rad/s, m/s, any size but zero |
+///
+/// With v a mode of H these are sensitivities: the mode's λ changes by share · δ where a body's mass and inertia, or a rotor's
+/// inertia, change by the factor 1 + δ. Cost O(N); allocates.
+///
+/// Errors: [`InputError`] if q or v does not fit the model.
+///
+/// ```
+/// use eigenbody::{Family, dynamics::energy_shares};
+/// let pair = Family::slender_chain(2, 1.0, 1.0)?.model::<f64>()?;
+/// // The second rod turns about its own end: it alone moves.
+/// assert_eq!(energy_shares(&pair, &[0.0, 0.0], &[0.0, 1.0])?.bodies, [0.0, 1.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn energy_shares<T: Real>(model: &Model<T>, q: &[T], v: &[T]) -> Result<EnergyShares<T>, InputError> {
+    let mut workspace = MomentumWorkspace::new(model);
+    momentum_into(model, q, v, &mut workspace)?;
+    let bodies = model.bodies.iter().zip(&workspace.v).map(|(body, &v)| v.dot(body.I.times(v)));
+    let armature = model.armature.iter().zip(v).map(|(&armature, &v)| armature * v * v);
+    let (mut bodies, mut armature): (Vec<T>, Vec<T>) = (bodies.collect(), armature.collect());
+    let twice = bodies.iter().chain(&armature).fold(T::ZERO, |sum, &part| sum + part);
+    bodies.iter_mut().chain(&mut armature).for_each(|part| *part = *part / twice);
+    Ok(EnergyShares { bodies, armature })
+}

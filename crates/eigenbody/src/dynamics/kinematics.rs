@@ -71,3 +71,36 @@ pub fn link_pose<T: Real>(model: &Model<T>, q: &[T], link: usize) -> Result<Tran
     }
     Ok(X)
 }
+
+/// Every column of S in the world's coordinates: the motion of the world's origin, as part of the body, at unit rate.
+///
+/// | name | shape | unit |
+/// |------|-------|------|
+/// | `q` | `nq` | rad, m, unit quaternion |
+/// | returned | `nv` | angular part: unit axis, or zero; linear part: m/s at the world's origin |
+///
+/// Cost O(N); allocates. Errors: [`InputError`] if q does not fit the model.
+///
+/// ```
+/// use eigenbody::{Family, dynamics::axes, spatial::Vec3};
+/// let arm = Family::hydra(2, 1.0, 0.0, 1.0)?.model::<f64>()?;
+/// let second = axes(&arm, &[0.0, 0.0])?[1];
+/// // About z through (1, 0, 0): the origin would move along −y.
+/// assert_eq!((second.ang, second.lin.y), (Vec3::Z, -1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn axes<T: Real>(model: &Model<T>, q: &[T]) -> Result<Vec<Motion<T>>, InputError> {
+    model.check_q(q)?;
+    let mut kinematics = Kinematics::new(model);
+    kinematics.update(model, q);
+    let Kinematics { X_up, mut S } = kinematics;
+    let mut from_world: Vec<Transform<T>> = Vec::with_capacity(X_up.len());
+    for (body, &X_up) in model.bodies.iter().zip(&X_up) {
+        let X = body.parent().map_or(X_up, |p| X_up * from_world[p]);
+        for S in &mut S[body.dofs()] {
+            *S = X.inverse_motion(*S);
+        }
+        from_world.push(X);
+    }
+    Ok(S)
+}

@@ -126,6 +126,17 @@ impl<'m> Evaluator<'m> {
         Ok(Some((cost, gradient)))
     }
 
+    /// The motion of all DoFs when those of the study move by `x`: mimic joints follow, a removed base floats along.
+    ///
+    /// Errors: [`Error`] if q or x does not fit.
+    pub fn motion(&self, q: &[f64], x: &[f64]) -> Result<Vec<f64>, Error> {
+        let expected = self.reduction.dofs(self.model).len();
+        if x.len() != expected {
+            return Err(InputError::Length { what: "x", expected, found: x.len() }.into());
+        }
+        Ok(self.lifted(&mass_matrix(self.model, q)?, x))
+    }
+
     fn question(&self, metric: Metric<f64>) -> Question {
         let method = if self.tree.is_some() { Method::Sturm } else { Method::Dense };
         Question { metric, reduction: self.reduction, method, precision: Precision::F64, all: false }

@@ -1,0 +1,192 @@
+//! What a precision keeps of forward dynamics: predicted from κ′, measured against double-double.
+//!
+//! ```text
+//! v̇ = H⁻¹ τ      loss = log₁₀(error/ε),   error = |D(v̇ − v̇*)| / |D v̇*|,   D = diag(H)^½
+//! predicted: log₁₀ κ′
+//! ```
+//! The same robot in f32, f64 and double-double, random τ in units of each joint's own inertia, the configuration rounded to f32.
+
+use crate::StudyError;
+use eigenbody::dynamics::forward_dynamics;
+use eigenbody::factor::Ltl;
+use eigenbody::model::Random;
+use eigenbody::scalar::{Dd, Real, Scalar};
+use eigenbody::{Matrix, Metric, Model, Reduction, mass_matrix};
+
+/// Right-hand sides; the worst counts.
+const SIDES: u64 = 4;
+/// Decimal digits of f32 and f64.
+const F32_DIGITS: f64 = 7.22;
+const F64_DIGITS: f64 = 15.95;
+
+/// Digits lost by one way of solving.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loss {
+    /// Its name.
+    pub method: &'static str,
+    /// Digits lost in f32; infinite where it failed.
+    pub f32: f64,
+    /// Digits lost in f64.
+    pub f64: f64,
+}
+
+/// What precisions keep at one configuration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Digits {
+    /// log₁₀ κ′ at that configuration.
+    pub predicted_loss: f64,
+    /// As measured.
+    pub measured: Vec<Loss>,
+}
+
+impl Digits {
+    /// Digits that the best measured way keeps in f32.
+    pub fn left_in_f32(&self) -> f64 {
+        let least = self.measured.iter().map(|loss| loss.f32).fold(f64::INFINITY, f64::min);
+        (F32_DIGITS - least).max(0.0)
+    }
+
+    /// Digits that the best measured way keeps in f64.
+    pub fn left_in_f64(&self) -> f64 {
+        let least = self.measured.iter().map(|loss| loss.f64).fold(f64::INFINITY, f64::min);
+        (F64_DIGITS - least).max(0.0)
+    }
+}
+
+/// None where H is singular even in double-double.
+pub(super) fn measure(
+    model: &Model<f64>,
+    reduction: Reduction,
+    q: &[f64],
+) -> Result<Option<Digits>, StudyError> {
+    // f32 holds every coordinate; a quaternion rounded so is still a unit one within the tolerance.
+    let q: Vec<f64> = q.iter().map(|&x| f64::from(x as f32)).collect();
+    let H = reduction.mass_matrix(model, &q)?;
+    let own: Vec<f64> = (0..H.rows()).map(|d| H[(d, d)]).collect();
+    if own.iter().any(|&h| h <= 0.0) {
+        return Ok(None);
+    }
+    let question = eigenbody::Question {
+        metric: Metric::UnitDiagonal,
+        reduction,
+        method: eigenbody::Method::Auto,
+        ..eigenbody::Question::default()
+    };
+    let Some(kappa_weighted) = eigenbody::conditioning_at(model, &q, &question)?.kappa else {
+        return Ok(None);
+    };
+    let sides: Vec<Vec<f64>> = (0..SIDES).map(|seed| side(&own, seed)).collect();
+    let reduced = reduction.base || reduction.mimic && model.coupling().is_some();
+    let wide: Model<Dd> = model.cast();
+    let mut exact = Vec::new();
+    for tau in &sides {
+        match cholesky(&wide, &q, reduction, tau)? {
+            Some(x) => exact.push(x),
+            None => return Ok(None),
+        }
+    }
+    let single: Model<f32> = model.cast();
+    let mut measured = Vec::new();
+    let mut add = |method, f32: &Solver<'_, f32>, f64: &Solver<'_, f64>| -> Result<(), StudyError> {
+        let f32 = loss(&single, &q, f32, &sides, &exact, &own)?;
+        let f64 = loss(model, &q, f64, &sides, &exact, &own)?;
+        measured.push(Loss { method, f32, f64 });
+        Ok(())
+    };
+    add("H by CRBA, Cholesky", &|model, q, tau| cholesky(model, q, reduction, tau), &|model, q, tau| {
+        cholesky(model, q, reduction, tau)
+    })?;
+    if !reduced {
+        add("H by CRBA, LTL", &ltl, &ltl)?;
+        add("articulated bodies", &aba, &aba)?;
+    }
+    Ok(Some(Digits { predicted_loss: kappa_weighted.log10(), measured }))
+}
+
+/// A random force of the size that gives every joint alone an acceleration of the order of one.
+fn side(own: &[f64], seed: u64) -> Vec<f64> {
+    let mut random = Random::new(seed);
+    // Numbers that f32 holds.
+    own.iter().map(|h| f64::from((random.between(-1.0, 1.0) * h.sqrt()) as f32)).collect()
+}
+
+type Solver<'a, T> = dyn Fn(&Model<T>, &[f64], &[f64]) -> Result<Option<Vec<T>>, StudyError> + 'a;
+
+fn loss<T: Real>(
+    model: &Model<T>,
+    q: &[f64],
+    solver: &Solver<'_, T>,
+    sides: &[Vec<f64>],
+    exact: &[Vec<Dd>],
+    own: &[f64],
+) -> Result<f64, StudyError> {
+    let mut worst = 0.0f64;
+    for (tau, exact) in sides.iter().zip(exact) {
+        let Some(x) = solver(model, q, tau)? else { return Ok(f64::INFINITY) };
+        let (mut off, mut size) = (0.0, 0.0);
+        for ((x, exact), h) in x.iter().zip(exact).zip(own) {
+            off += h * (Dd::from_f64(x.to_f64()) - *exact).to_f64().powi(2);
+            size += h * exact.to_f64().powi(2);
+        }
+        let error = (off / size).sqrt() / T::EPSILON;
+        if !error.is_finite() {
+            return Ok(f64::INFINITY);
+        }
+        worst = worst.max(error);
+    }
+    Ok(worst.max(1.0).log10())
+}
+
+fn numbers<T: Real>(x: &[f64]) -> Vec<T> {
+    x.iter().map(|&x| T::from_f64(x)).collect()
+}
+
+fn ltl<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
+    let H = mass_matrix(model, &numbers::<T>(q))?;
+    let mut factors = Ltl::new(model.dofs());
+    let mut x = numbers::<T>(tau);
+    match factors.factor(&H) {
+        Ok(_) => factors.solve(&mut x)?,
+        Err(_) => return Ok(None),
+    }
+    Ok(Some(x))
+}
+
+fn aba<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
+    let still = model.clone().with_gravity(eigenbody::spatial::Vec3::ZERO);
+    let rest = vec![T::ZERO; model.nv()];
+    Ok(forward_dynamics(&still, &numbers::<T>(q), &rest, &numbers::<T>(tau)).ok())
+}
+
+/// H x = τ by Cholesky's factors; none if a pivot is not positive.
+fn cholesky<T: Real>(
+    model: &Model<T>,
+    q: &[f64],
+    reduction: Reduction,
+    tau: &[f64],
+) -> Result<Option<Vec<T>>, StudyError> {
+    let mut L: Matrix<T> = match reduction.mass_matrix(model, &numbers::<T>(q)) {
+        Ok(H) => H,
+        Err(eigenbody::Error::NotPositiveDefinite(_)) => return Ok(None),
+        Err(error) => return Err(error.into()),
+    };
+    let n = L.rows();
+    let mut x = numbers::<T>(tau);
+    for k in 0..n {
+        for j in 0..=k {
+            let sum = (0..j).fold(L[(k, j)], |sum, m| sum - L[(k, m)] * L[(j, m)]);
+            L[(k, j)] = if j < k {
+                sum / L[(j, j)]
+            } else if sum > T::ZERO {
+                sum.sqrt()
+            } else {
+                return Ok(None);
+            };
+        }
+        x[k] = (0..k).fold(x[k], |sum, m| sum - L[(k, m)] * x[m]) / L[(k, k)];
+    }
+    for k in (0..n).rev() {
+        x[k] = (k + 1..n).fold(x[k], |sum, m| sum - L[(m, k)] * x[m]) / L[(k, k)];
+    }
+    Ok(Some(x))
+}

@@ -1,0 +1,131 @@
+//! Verdicts: what is wrong, how gravely, and for whom.
+
+use super::{Diagnosis, Mechanism, Worst};
+use eigenbody::search::Measure;
+
+/// How much a finding matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// Good to know.
+    Note,
+    /// Will hurt some uses.
+    Warning,
+    /// Nothing that solves with H can work.
+    Error,
+}
+
+/// What a finding endangers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Use {
+    /// Everything.
+    Everything,
+    /// Solves with H: forward dynamics, operational-space control.
+    Solves,
+    /// Simulation in single precision, as on GPUs.
+    SinglePrecision,
+    /// Gains, explicit time steps, gradients.
+    Gains,
+}
+
+/// Thresholds of findings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// κ′ above which solves in double precision are warned of.
+    pub kappa_weighted: f64,
+    /// κ above which gains and explicit steps are.
+    pub kappa: f64,
+    /// Digits that single precision must keep.
+    pub f32_digits: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { kappa_weighted: 1e8, kappa: 1e9, f32_digits: 3.0 }
+    }
+}
+
+/// One thing that is wrong.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// A stable name.
+    pub id: &'static str,
+    /// How gravely.
+    pub severity: Severity,
+    /// What it endangers.
+    pub endangers: Use,
+    /// What was measured.
+    pub value: f64,
+    /// What it was held against.
+    pub limit: f64,
+    /// Degrees of freedom to blame.
+    pub joints: Vec<String>,
+    /// All coordinates of the configuration; empty where it holds in every one.
+    pub at: Vec<f64>,
+    /// How it comes about.
+    pub mechanism: Option<Mechanism>,
+}
+
+pub(super) fn findings(found: &Diagnosis, limits: &Limits) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = found
+        .null_motions
+        .iter()
+        .map(|motion| Finding {
+            id: "moves-no-mass",
+            severity: Severity::Error,
+            endangers: Use::Everything,
+            value: 0.0,
+            limit: 0.0,
+            joints: motion.rates.iter().map(|(name, _)| name.clone()).collect(),
+            at: Vec::new(),
+            mechanism: None,
+        })
+        .collect();
+    // What holds everywhere need not be said again of the worst configuration.
+    if !findings.is_empty() {
+        return findings;
+    }
+    if let Some(worst) = found.by(Measure::KappaWeighted) {
+        if worst.spread.worst > limits.kappa_weighted {
+            let finding = at(worst, "solves", Use::Solves, worst.spread.worst, limits.kappa_weighted);
+            findings.push(finding);
+        }
+        if let Some(left) = found.digits.as_ref().map(super::Digits::left_in_f32)
+            && left < limits.f32_digits
+        {
+            findings.push(at(worst, "single-precision", Use::SinglePrecision, left, limits.f32_digits));
+        }
+    }
+    if let Some(worst) = found.by(Measure::Kappa)
+        && worst.spread.worst > limits.kappa
+    {
+        findings.push(at(worst, "gains", Use::Gains, worst.spread.worst, limits.kappa));
+    }
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+    findings
+}
+
+fn at(worst: &Worst, id: &'static str, endangers: Use, value: f64, limit: f64) -> Finding {
+    let joints = worst.blame.as_ref().map_or_else(Vec::new, |blame| {
+        let parts = blame.soft.dofs.iter();
+        // As many as make up nine tenths.
+        let mut sum = 0.0;
+        parts
+            .take_while(|part| {
+                let before = sum;
+                sum += part.share;
+                before < 0.9
+            })
+            .map(|part| part.name.clone())
+            .collect()
+    });
+    Finding {
+        id,
+        severity: Severity::Warning,
+        endangers,
+        value,
+        limit,
+        joints,
+        at: worst.spread.at.clone(),
+        mechanism: worst.blame.as_ref().map(|blame| blame.mechanism.clone()),
+    }
+}

@@ -1,0 +1,133 @@
+//! What is wrong with a robot, where, and what to change.
+//!
+//! ```text
+//! survey of the joint limits  ->  the worst configurations by κ, κ′, λmin
+//! blame of their modes        ->  which joints and links, by which mechanism
+//! exact null motions          ->  what moves no mass anywhere
+//! digits, measured            ->  float32-safe or not
+//! limits                      ->  findings
+//! ```
+
+mod blame;
+mod digits;
+mod finding;
+mod rest;
+
+pub use blame::{Blame, Mechanism, Part, Soft};
+pub use digits::{Digits, Loss};
+pub use finding::{Finding, Limits, Severity, Use};
+pub use rest::NullMotion;
+
+use crate::StudyError;
+use eigenbody::search::{Effort, Evaluator, Measure, Spread, Survey, Values, survey};
+use eigenbody::{Metric, Model, Reduction};
+
+/// How to look.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Which degrees of freedom.
+    pub reduction: Reduction,
+    /// The metric of κ and λmin.
+    pub metric: Metric<f64>,
+    /// How hard to search.
+    pub effort: Effort,
+    /// What counts as a finding.
+    pub limits: Limits,
+}
+
+impl Default for Question {
+    fn default() -> Self {
+        Self {
+            reduction: Reduction::default(),
+            metric: Metric::Euclidean,
+            effort: Effort::default(),
+            limits: Limits::default(),
+        }
+    }
+}
+
+/// The worst configuration by one measure, and who is to blame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Worst {
+    /// Where, and how the measure is spread over the joint limits.
+    pub spread: Spread,
+    /// All measures there.
+    pub values: Values,
+    /// The softest mode there and its mechanism; none for a robot that cannot move.
+    pub blame: Option<Blame>,
+}
+
+/// All that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diagnosis {
+    /// Names of the degrees of freedom of the study.
+    pub dofs: Vec<String>,
+    /// Unit of λmin.
+    pub unit: &'static str,
+    /// By κ, κ′ and λmin.
+    pub worst: Vec<Worst>,
+    /// Configurations evaluated.
+    pub evaluations: usize,
+    /// Motions that move no mass in any configuration.
+    pub null_motions: Vec<NullMotion>,
+    /// What single precision and double precision keep of a solve at the worst κ′; none for a singular robot.
+    pub digits: Option<Digits>,
+    /// What is wrong, the gravest first.
+    pub findings: Vec<Finding>,
+}
+
+impl Diagnosis {
+    /// The worst by a measure.
+    pub fn by(&self, measure: Measure) -> Option<&Worst> {
+        self.worst.iter().find(|worst| worst.spread.measure == measure)
+    }
+}
+
+/// Examines a robot over its joint limits.
+///
+/// Method: [`survey`], then modes, energy shares and joint axes at the worst configurations, null motions in double-double, and the
+/// loss of digits of forward dynamics against double-double. `progress` is told of configurations as they are evaluated.
+///
+/// Errors: [`StudyError`] if the metric does not fit or a floating base is missing.
+///
+/// ```
+/// use eigenbody::search::{Effort, Measure};
+/// use eigenbody_study::diagnosis::{Question, diagnose};
+/// let arm = eigenbody::Family::hydra(3, 1.0, 0.0, 1.0)?.model::<f64>()?;
+/// let question = Question { effort: Effort { samples: 64, ..Effort::default() }, ..Question::default() };
+/// let found = diagnose(&arm, &question, |_| ())?;
+/// assert!((found.by(Measure::Kappa).unwrap().spread.worst - 306.06).abs() < 0.01);
+/// assert!(found.findings.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn diagnose(
+    model: &Model<f64>,
+    question: &Question,
+    progress: impl Fn(usize) + Sync,
+) -> Result<Diagnosis, StudyError> {
+    let Question { reduction, metric, effort, limits } = question;
+    let rows = reduction.dofs(model);
+    let dofs: Vec<String> = rows.iter().map(|&d| model.dof_name(d)).collect();
+    let unit = metric.unit(rows.iter().map(|&d| model.is_translation(d)));
+    if rows.is_empty() {
+        let (worst, null_motions, findings) = (Vec::new(), Vec::new(), Vec::new());
+        return Ok(Diagnosis { dofs, unit, worst, evaluations: 0, null_motions, digits: None, findings });
+    }
+    let null_motions = rest::null_motions(model, *reduction)?;
+    let Survey { spreads, evaluations } = survey(model, *reduction, metric, *effort, progress)?;
+    let mut evaluator = Evaluator::new(model, *reduction, metric.clone())?;
+    let mut worst = Vec::new();
+    for spread in spreads {
+        let values = evaluator.values(&spread.at)?;
+        let blame = blame::blame(model, *reduction, metric, &evaluator, &spread)?;
+        worst.push(Worst { spread, values, blame });
+    }
+    let at = worst.iter().find(|worst| worst.spread.measure == Measure::KappaWeighted);
+    let digits = match at {
+        Some(worst) if null_motions.is_empty() => digits::measure(model, *reduction, &worst.spread.at)?,
+        _ => None,
+    };
+    let mut found = Diagnosis { dofs, unit, worst, evaluations, null_motions, digits, findings: Vec::new() };
+    found.findings = finding::findings(&found, limits);
+    Ok(found)
+}
