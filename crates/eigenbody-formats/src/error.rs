@@ -2,6 +2,7 @@
 
 use crate::expression::ExpressionError;
 use crate::location::Location;
+use crate::mjcf::MjcfFault;
 use crate::urdf::UrdfFault;
 use std::fmt::{self, Write};
 use thiserror::Error;
@@ -26,6 +27,16 @@ pub enum FormatError {
         at: Location,
         /// What is wrong there.
         fault: Box<UrdfFault>,
+    },
+    /// Something at one place of an MJCF file, or of a file that it includes.
+    #[error("{}:{at}: {}", OneLine(file), OneLine(fault))]
+    Mjcf {
+        /// The file.
+        file: String,
+        /// The place.
+        at: Location,
+        /// What is wrong there.
+        fault: Box<MjcfFault>,
     },
     /// Something at one column of an expression.
     #[error(transparent)]
@@ -62,7 +73,7 @@ pub enum FormatError {
 pub enum FileFault {
     #[error("no such file")]
     Missing,
-    #[error("a directory, expected a URDF file")]
+    #[error("a directory, expected a file")]
     Directory,
     #[error("larger than {limit} bytes")]
     TooLarge { limit: u64 },

@@ -12,7 +12,7 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, FormatError> {
     contents(path).map_err(|fault| FormatError::File { file: path.display().to_string(), fault })
 }
 
-fn contents(path: &Path) -> Result<Vec<u8>, FileFault> {
+pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, FileFault> {
     if path.is_dir() {
         return Err(FileFault::Directory);
     }

@@ -68,11 +68,15 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
     let robot = Element(xml.root_element());
     let (model, offsets) = model(robot, options.base)
         .map_err(|Fault { offset, fault }| located(Location::at(text.as_bytes(), offset), fault))?;
-    let places = Places {
-        links: Location::all(text.as_bytes(), &offsets.links),
-        joints: Location::all(text.as_bytes(), &offsets.joints),
+    let located = |offsets: &[usize]| {
+        Location::all(text.as_bytes(), offsets).into_iter().map(|at| (0, at)).collect()
     };
-    Ok(Loaded { model, name: file_name.to_owned(), kind: Kind::File(file_name.into()), places })
+    let places = Places {
+        files: vec![file_name.to_owned()],
+        links: located(&offsets.links),
+        joints: located(&offsets.joints),
+    };
+    Ok(Loaded::new(model, file_name.to_owned(), Kind::File(file_name.into()), places))
 }
 
 /// Byte offsets of links and joints, in the order of their ids.
