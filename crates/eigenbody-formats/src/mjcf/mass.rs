@@ -4,7 +4,7 @@ use super::body::{Align, Body, Moments, Motion};
 use super::compiler::{Compiler, FromGeoms};
 use super::fault::{Fault, MjcfFault, fault};
 use super::geom::Geom;
-use super::principal::{Principal, inertia, principal};
+use super::principal::{Care, Principal, inertia, principal};
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
 
 /// Total masses below this have no centre.
@@ -39,7 +39,7 @@ pub(super) fn of(body: &Body) -> Result<Mass, Fault> {
             let axes = match &inertial.inertia {
                 Moments::Diagonal(moments) => Principal { moments: *moments, E: inertial.pose.E },
                 Moments::Full(I) => {
-                    let own = principal(*I);
+                    let own = principal(*I, Care::Full);
                     Principal { E: own.E * inertial.pose.E, ..own }
                 }
             };
@@ -95,7 +95,7 @@ fn from_geoms(body: &Body) -> Result<Mass, Fault> {
         let own = Sym3::diagonal(a, b, c).congruence(geom.pose.E);
         I += RigidInertia::from_com(geom.mass, geom.pose.r - com, own).I;
     }
-    Ok(Mass { m, com, axes: principal(I) })
+    Ok(Mass { m, com, axes: principal(I, Care::Full) })
 }
 
 /// Moves a body with a lone free joint to its centre of mass and principal axes, if it is to be aligned.

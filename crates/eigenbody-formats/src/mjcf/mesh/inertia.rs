@@ -6,7 +6,7 @@
 //! ```
 //! The result is an equivalent box: volume (or area), centre, principal axes and half-edges.
 
-use super::super::principal::{Principal, principal};
+use super::super::principal::{Care, Principal, principal};
 use super::{Mesh, MeshFault};
 use eigenbody::spatial::{Mat3, Sym3, Vec3};
 
@@ -60,7 +60,7 @@ pub(in super::super) fn enclosed(mesh: &Mesh, mode: Mode) -> Result<Enclosed, Me
     let middle = centroid(&v, own)?;
     let com = center_of_mass(&v, faces, mode, middle)?;
     let (volume, second) = moments(&v, faces, mode, com);
-    let Principal { moments: [a, b, c], E } = principal(second);
+    let Principal { moments: [a, b, c], E } = principal(second, Care::Mesh);
     let impossible = |x: f64, y: f64, z: f64| x + y < z * (1.0 - 1e-6) - 1e-9;
     if c <= 0.0 || impossible(a, b, c) || impossible(a, c, b) || impossible(b, c, a) {
         return Err(MeshFault::Moments([a, b, c]));
