@@ -1,7 +1,7 @@
 //! Principal axes of an inertia, by Jacobi rotations kept as a quaternion.
 //!
-//! MuJoCo takes those of a mesh only until a rotation would be smaller than 1.4e-7 rad, and drops what is left beside the
-//! diagonal. That shows in the ninth digit of H, so a mesh is read with the same [`Care`].
+//! Of a mesh, MuJoCo drops what is beside the diagonal once it is below 1e-7 of the largest entry (found by experiment with
+//! version 4.0). That shows in the seventh digit of H, so a mesh is read with the same [`Care`].
 
 use eigenbody::spatial::{Mat3, Sym3, Vec3};
 
@@ -28,7 +28,8 @@ pub(super) struct Principal {
 pub(super) fn principal(A: Sym3<f64>, care: Care) -> Principal {
     let mut q = [1.0, 0.0, 0.0, 0.0];
     let mut moments = [A.xx, A.yy, A.zz];
-    let smallest = if care == Care::Full { 0.5 * f64::EPSILON } else { 1e-14 };
+    let largest_entry = [A.xx, A.yy, A.zz, A.xy, A.xz, A.yz].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let smallest = largest_entry * if care == Care::Full { 0.5 * f64::EPSILON } else { 1e-7 };
     for _ in 0..100 {
         // congruence gives Eᵀ A E; E = R here.
         let D = A.congruence(rotation(q).transpose());
@@ -38,24 +39,20 @@ pub(super) fn principal(A: Sym3<f64>, care: Care) -> Principal {
             (_, xz, yz) if xz > yz => (D.xz, 0, 2, 1),
             _ => (D.yz, 1, 2, 0),
         };
-        if entry.abs() <= smallest * largest(moments) {
+        if entry.abs() <= smallest {
             break;
         }
         let tau = (moments[column] - moments[row]) / (2.0 * entry);
         let t = if tau >= 0.0 { 1.0 } else { -1.0 } / (tau.abs() + (1.0 + tau * tau).sqrt());
         let c = 1.0 / (1.0 + t * t).sqrt();
-        // The sine of half the angle; the shorter formula cancels, as it does in MuJoCo.
-        let half = match care {
-            Care::Full => t.abs() * c / (2.0 * (1.0 + c)).sqrt(),
-            Care::Mesh if c > 1.0 - 1e-14 => break,
-            Care::Mesh => (0.5 - 0.5 * c).sqrt(),
-        };
+        // The sine of half the angle.
+        let half = t.abs() * c / (2.0 * (1.0 + c)).sqrt();
         let sign = if (tau >= 0.0) == (axis == 1) { 1.0 } else { -1.0 };
         let mut turn = [(1.0 - half * half).sqrt(), 0.0, 0.0, 0.0];
         turn[axis + 1] = sign * half;
         q = product(q, turn);
     }
-    let same = SAME * largest(moments);
+    let same = SAME * largest_entry;
     for first in [0, 1, 0] {
         if moments[first] + same < moments[first + 1] {
             moments.swap(first, first + 1);
@@ -71,10 +68,6 @@ pub(super) fn principal(A: Sym3<f64>, care: Care) -> Principal {
 pub(super) fn inertia(principal: &Principal) -> Sym3<f64> {
     let [a, b, c] = principal.moments;
     Sym3::diagonal(a, b, c).congruence(principal.E)
-}
-
-fn largest(moments: [f64; 3]) -> f64 {
-    moments.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
 fn rotation([w, x, y, z]: [f64; 4]) -> Mat3<f64> {
@@ -113,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mesh_is_not_turned_by_less_than_a_microradian() {
+    fn what_is_small_beside_the_diagonal_is_dropped_of_a_mesh() {
         let A = Sym3 { xy: 1e-7, ..Sym3::diagonal(3.0, 2.0, 1.0) };
         assert_eq!(inertia(&principal(A, Care::Mesh)).xy, 0.0);
         assert!((inertia(&principal(A, Care::Full)).xy - 1e-7).abs() < 1e-15);
