@@ -63,6 +63,11 @@ pub enum Note {
         /// The element.
         element: String,
     },
+    /// A body outside <worldbody>, which MuJoCo passes over.
+    OutsideWorld {
+        /// The element.
+        element: String,
+    },
 }
 
 impl fmt::Display for Note {
@@ -71,6 +76,9 @@ impl fmt::Display for Note {
             Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it"),
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
+            }
+            Self::OutsideWorld { element } => {
+                write!(f, "{element} stands outside <worldbody> and is passed over")
             }
             Self::ArmatureIgnored { element } => {
                 write!(f, "{element} has armature that couples several joints: H is without it")

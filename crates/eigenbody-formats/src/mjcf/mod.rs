@@ -155,6 +155,8 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
     }
 
     let mut couplings = Couplings::default();
+    let outside = root.children.iter().filter(|c| matches!(c.tag.as_str(), "body" | "frame" | "replicate"));
+    couplings.notes.extend(outside.map(|c| (c.at, Note::OutsideWorld { element: c.described() })));
     couplings.add(&Sections { root, defaults: &defaults, prefix: "", joints: &parts.known })?;
     for (model, prefix) in &attached {
         let defaults = Defaults::read(&model.root, files)?;

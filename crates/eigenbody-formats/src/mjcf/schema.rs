@@ -80,10 +80,11 @@ impl Entry {
         Ok(())
     }
 
-    /// True below the root: <worldbody> stands for <body> there.
+    /// True for the entry's own tag. Below the root, <worldbody> and its relatives stand for <body>; MuJoCo accepts the
+    /// relatives there and passes them over.
     fn accepts(&self, tag: &str) -> bool {
         match self.tag {
-            "body" => tag == "worldbody",
+            "body" => matches!(tag, "worldbody" | "body" | "frame" | "replicate"),
             own => own == tag,
         }
     }
