@@ -88,8 +88,7 @@ pub(super) fn read(geom: &Styled<'_>, shapes: &Shapes<'_>) -> Result<Geom, Fault
                 let (fitted, shift) = fit(&mesh, kind, shapes.settings.fitaabb)
                     .ok_or_else(|| shape_fault("this kind of geom cannot be fitted to a mesh"))?;
                 size = fitted.map(|s| s * scale);
-                // The shift is given in principal axes and added in the mesh's: that is how MuJoCo takes it.
-                pose = Transform::new(mesh.E, mesh.com + shift) * pose;
+                pose = Transform::translation(shift) * Transform::new(mesh.E, mesh.com) * pose;
                 primitive(kind, size, shell, geom)?
             }
         }
@@ -189,18 +188,13 @@ fn fit(mesh: &Enclosed, kind: &str, bounding: bool) -> Option<([f64; 3], Vec3<f6
     };
     let (low, high) = (fold(f64::min)?, fold(f64::max)?);
     let middle = (low + high) * 0.5;
-    let centred = || mesh.vertices.iter().map(|&v| v - middle);
-    let largest = |f: fn(Vec3<f64>) -> f64| centred().map(f).fold(0.0, f64::max);
-    let across = |v: Vec3<f64>| v.x.hypot(v.y);
-    let round = centred().map(across).fold(0.0, f64::max);
+    let [a, b, c] = ((high - low) * 0.5).to_array();
+    let round = a.max(b);
     let size = match kind {
-        "sphere" => [largest(Vec3::norm), 0.0, 0.0],
-        "cylinder" => [round, largest(|v| v.z.abs()), 0.0],
-        "capsule" => {
-            let cap = |v: Vec3<f64>| round * (1.0 - (across(v) / round).powi(2)).max(0.0).sqrt();
-            [round, centred().map(|v| v.z.abs() - cap(v)).fold(0.0, f64::max), 0.0]
-        }
-        "ellipsoid" | "box" => (high - middle).to_array(),
+        "sphere" => [round.max(c), 0.0, 0.0],
+        "cylinder" => [round, c, 0.0],
+        "capsule" => [round, (c - round).max(0.0), 0.0],
+        "ellipsoid" | "box" => [a, b, c],
         _ => return None,
     };
     Some((size, middle))

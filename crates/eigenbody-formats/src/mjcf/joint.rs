@@ -34,7 +34,7 @@ pub(super) fn read(
             let at = joint.find("axis").map_or(joint.element.at, |a| a.at);
             return Err(fault(at, MjcfFault::NoDirection { name: "axis".into(), tag: tag.into() }));
         }
-        _ => frame.E.transpose_times(axis),
+        _ => frame.E.transpose_times(axis * (1.0 / axis.norm())),
     };
     let pos = Vec3::from_f64(array(joint.find("pos"), tag)?.unwrap_or_default());
     let pos = if motion == Motion::Free { Vec3::ZERO } else { frame.inverse_point(pos) };
