@@ -48,6 +48,8 @@ pub struct Keyframe {
 /// What the text says and the model does not.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
+    /// The robot has no name; it is named after its file.
+    NoName,
     /// Two bodies are fastened to each other across the tree.
     Loop {
         /// The element.
@@ -73,6 +75,7 @@ pub enum Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::NoName => f.write_str("<robot> has no attribute 'name'; it is named after its file"),
             Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it"),
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
