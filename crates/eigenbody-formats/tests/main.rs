@@ -10,5 +10,6 @@
 mod configuration;
 mod expression;
 mod metric;
+mod mjcf;
 mod source;
 mod urdf;

@@ -19,6 +19,7 @@ pub(super) struct Parts {
     pub builder: ModelBuilder<f64>,
     /// The moving joints and welds, in the order in which the builder is to get them.
     pub joints: Vec<JointSpec<f64>>,
+    pub link_names: Vec<String>,
     pub link_spots: Vec<Spot>,
     pub joint_spots: Vec<Spot>,
     /// The pose that the file describes.
@@ -59,6 +60,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
     let mut parts = Parts {
         builder: ModelBuilder::new(name),
         joints: Vec::new(),
+        link_names: Vec::new(),
         link_spots: Vec::new(),
         joint_spots: Vec::new(),
         reference: Vec::new(),
@@ -198,6 +200,7 @@ fn take(taken: &mut HashSet<String>, wish: &str) -> String {
 impl Parts {
     fn link(&mut self, name: &str, inertia: RigidInertia<f64>, at: Spot) -> LinkId {
         self.link_spots.push(at);
+        self.link_names.push(name.to_owned());
         self.builder.link(name, inertia)
     }
 
@@ -219,6 +222,7 @@ impl Parts {
                 false => {
                     let between = self.names.link(&format!("{name} {}", k + 1));
                     self.link_spots.push(body.at);
+                    self.link_names.push(between.clone());
                     self.builder.frame(between)
                 }
             };

@@ -52,13 +52,13 @@ pub(super) fn of(body: &Body) -> Result<Mass, Fault> {
             axes: Principal { moments: [0.0; 3], E: body.own_pose.E },
         },
     };
-    bound(&mut mass, settings);
-    let moments = &mut mass.axes.moments;
-    if mass.m < 0.0 || moments.iter().any(|&i| i < 0.0) {
+    if mass.m < 0.0 || mass.axes.moments.iter().any(|&i| i < 0.0) {
         let element = named(body);
         let problem = "a negative mass or moment of inertia";
         return Err(fault(body.at, MjcfFault::Inertial { element, problem }));
     }
+    bound(&mut mass, settings);
+    let moments = &mut mass.axes.moments;
     let [a, b, c] = *moments;
     if settings.balanceinertia && (a + b < c || a + c < b || b + c < a) {
         *moments = [(a + b + c) / 3.0; 3];

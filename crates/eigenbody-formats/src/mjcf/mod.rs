@@ -184,7 +184,8 @@ fn finish(
     base: Base,
     files: &Files,
 ) -> Result<Built, Problem> {
-    let Parts { mut builder, joints, link_spots, joint_spots, reference, base_armature, .. } = parts;
+    let Parts { mut builder, joints, link_names, link_spots, joint_spots, reference, base_armature, .. } = parts;
+    let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
     joints.into_iter().for_each(|joint| {
         builder.joint(joint);
     });
@@ -194,8 +195,17 @@ fn finish(
             Place::Link(link) => (link_spots.as_slice(), link.index()),
             Place::Joint(joint) => (joint_spots.as_slice(), joint.index()),
         };
+        let first = match &error {
+            BuildError::DuplicateLink { name, .. } => link_names.iter().position(|n| n == name),
+            BuildError::DuplicateJoint { name, .. } => joint_names.iter().position(|n| n == name),
+            _ => None,
+        };
         let at = spots.get(index).copied().unwrap_or(root);
-        fault(at, duplicate(error, spots, index, files))
+        let fault_kind = match first.and_then(|k| spots.get(k)) {
+            Some(&first) => MjcfFault::Duplicate { error, first: files.locate(first).1 },
+            None => MjcfFault::Build(error),
+        };
+        fault(at, fault_kind)
     })?;
     if base == Base::Floating && base_armature > 0.0 {
         let mut armature = model.armature().to_vec();
@@ -204,12 +214,6 @@ fn finish(
         model = model.clone().with_armature(armature).unwrap_or(model);
     }
     Ok(Built { model, notes, reference, link_spots, joint_spots })
-}
-
-/// The builder's error; of a name that is there twice, with the place of the first.
-fn duplicate(error: BuildError, spots: &[Spot], index: usize, files: &Files) -> MjcfFault {
-    let _ = (spots, index, files);
-    MjcfFault::Build(error)
 }
 
 /// What `<option>` says of gravity, if anything.

@@ -156,7 +156,7 @@ mod tests {
         let volume: f64 = faces
             .iter()
             .map(|f| {
-                let [a, b, c] = f.map(|i| Vec3::from_f64(grid[i as usize]));
+                let [a, b, c]: [Vec3<f64>; 3] = f.map(|i| Vec3::from_f64(grid[i as usize]));
                 a.dot(b.cross(c)) / 6.0
             })
             .sum();
