@@ -3,6 +3,7 @@
 use crate::expression::ExpressionError;
 use crate::location::Location;
 use crate::mjcf::MjcfFault;
+use crate::sdf::SdfFault;
 use crate::urdf::UrdfFault;
 use std::fmt::{self, Write};
 use thiserror::Error;
@@ -37,6 +38,16 @@ pub enum FormatError {
         at: Location,
         /// What is wrong there.
         fault: Box<MjcfFault>,
+    },
+    /// Something at one place of an SDF file, or of a file that it includes.
+    #[error("{}:{at}: {}", OneLine(file), OneLine(fault))]
+    Sdf {
+        /// The file.
+        file: String,
+        /// The place.
+        at: Location,
+        /// What is wrong there.
+        fault: Box<SdfFault>,
     },
     /// Something at one column of an expression.
     #[error(transparent)]

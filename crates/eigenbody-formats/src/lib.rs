@@ -15,7 +15,7 @@
 //! # What this crate does not do
 //!
 //! Of a URDF file it reads no meshes and resolves no `package://` addresses: nothing of these touches inertia. It expands no
-//! xacro. SDF files are recognised and refused. It writes nothing.
+//! xacro. It writes nothing.
 
 #![forbid(unsafe_code)]
 // E, I and X are the book's symbols.
@@ -28,8 +28,10 @@ mod family;
 mod file;
 mod loaded;
 mod location;
-pub mod mjcf;
 mod metric;
+pub mod mjcf;
+pub mod sdf;
+mod shape;
 mod source;
 mod suggest;
 pub mod urdf;
@@ -42,6 +44,7 @@ pub use loaded::{Keyframe, Kind, Loaded, Note};
 pub use location::Location;
 pub use metric::metric;
 pub use mjcf::{MjcfOptions, read_mjcf, read_mjcf_str};
+pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
 pub use xml::XmlFault;

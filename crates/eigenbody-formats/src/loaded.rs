@@ -144,9 +144,10 @@ impl Loaded {
     /// What is suspicious about the model, and what its text says and it does not: each as [`warning`](Self::warning) prints it.
     pub fn findings(&self) -> Vec<String> {
         let of_model = self.model.findings().iter().map(|finding| self.warning(finding));
-        let of_text = self.notes.iter().map(|(file, at, note)| {
-            OneLine(format!("{file}:{at}: warning: {note}")).to_string()
-        });
+        let of_text = self
+            .notes
+            .iter()
+            .map(|(file, at, note)| OneLine(format!("{file}:{at}: warning: {note}")).to_string());
         of_model.chain(of_text).collect()
     }
 

@@ -4,6 +4,7 @@ use crate::error::FormatError;
 use crate::family;
 use crate::loaded::{Kind, Loaded, Places};
 use crate::mjcf::{MjcfOptions, read_mjcf};
+use crate::sdf::{SdfOptions, read_sdf};
 use crate::suggest::did_you_mean;
 use crate::urdf::{UrdfOptions, read_urdf};
 use eigenbody::Base;
@@ -26,7 +27,7 @@ const EXTENSIONS: [&str; 4] = ["urdf", "xml", "sdf", "xacro"];
 ///
 /// | text | model |
 /// |------|-------|
-/// | `robot.urdf`, `robot.xml`, any path to a file | what the file describes: URDF or MJCF |
+/// | `robot.urdf`, `robot.xml`, any path to a file | what the file describes: URDF, MJCF or SDF |
 /// | `hydra(N,B,α,ρ)`, `onion(N,B,α,ρ)`, `auto_tree(N,B,α,ρ)` | a family's member; left out: B = 1, α = 0, ρ = 1 |
 /// | `chain(N, m=2.2, l=1)` | slender rods; left out: m = 1, l = 1 |
 /// | `puma560` | a built-in robot |
@@ -62,6 +63,7 @@ fn file(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
     let path = Path::new(text);
     match root_tag(&crate::file::read(path)?) {
         b"mujoco" | b"mujocoinclude" => read_mjcf(path, &MjcfOptions { base: options.base }),
+        b"sdf" => read_sdf(path, &SdfOptions { base: options.base }),
         _ => read_urdf(path, &UrdfOptions { base: options.base }),
     }
 }

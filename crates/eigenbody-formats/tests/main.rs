@@ -9,6 +9,7 @@
 
 mod configuration;
 mod expression;
+mod hostile;
 mod metric;
 mod mjcf;
 mod source;

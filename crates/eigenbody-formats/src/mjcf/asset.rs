@@ -5,7 +5,6 @@ use super::compiler::Compiler;
 use super::defaults::{Defaults, MAIN, Styled};
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mesh::{Enclosed, Mesh, MeshFault, Mode, enclosed};
-use crate::error::FileFault;
 use crate::file;
 use crate::suggest::did_you_mean;
 use crate::xml::{Element, Files};
@@ -14,9 +13,6 @@ use std::cell::OnceCell;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
-
-/// Largest mesh file that is read: 256 MiB.
-const MESH_LIMIT: u64 = 1 << 28;
 
 /// The assets that touch mass, by name.
 #[derive(Default)]
@@ -91,12 +87,7 @@ impl<'a> Assets<'a> {
     }
 }
 
-fn unknown<'n>(
-    kind: &'static str,
-    name: &str,
-    by: &Element,
-    names: impl Iterator<Item = &'n str>,
-) -> Fault {
+fn unknown<'n>(kind: &'static str, name: &str, by: &Element, names: impl Iterator<Item = &'n str>) -> Fault {
     let suggestion = did_you_mean(name, names);
     fault(by.spot_of(kind), MjcfFault::UnknownAsset { kind, name: name.to_owned(), suggestion })
 }
@@ -125,25 +116,23 @@ impl MeshAsset<'_> {
         if element.children_named("plugin").next().is_some() {
             return Err(unsupported(element, "its shape comes from a plugin"));
         }
-        let mode = match keyword(
-            self.styled.find("inertia"),
-            "mesh",
-            &["convex", "legacy", "exact", "shell"],
-        )? {
-            Some(0) => Mode::Convex,
-            Some(2) => Mode::Exact,
-            Some(3) => Mode::Shell,
-            _ => Mode::Legacy,
+        let mode =
+            match keyword(self.styled.find("inertia"), "mesh", &["convex", "legacy", "exact", "shell"])? {
+                Some(0) => Mode::Convex,
+                Some(2) => Mode::Exact,
+                Some(3) => Mode::Shell,
+                _ => Mode::Legacy,
+            };
+        let at = |fault: MeshFault| {
+            super::fault::fault(element.at, MjcfFault::Mesh { name: name.to_owned(), fault: Box::new(fault) })
         };
-        let at = |fault: MeshFault| super::fault::fault(element.at, MjcfFault::Mesh { name: name.to_owned(), fault: Box::new(fault) });
         let scale = array(self.styled.find("scale"), "mesh")?.unwrap_or([1.0; 3]);
         let mirrored = scale.iter().product::<f64>() < 0.0;
         let mut mesh = match element.find("file") {
             Some(attribute) => {
                 let path = folders.mesh(element, &attribute.value);
-                let bytes = bytes(&path).map_err(|fault| {
-                    at(MeshFault::File { file: path.display().to_string(), fault })
-                })?;
+                let bytes = file::contents(&path)
+                    .map_err(|fault| at(MeshFault::File { file: path.display().to_string(), fault }))?;
                 let kind = kind(element.get("content_type"), &path);
                 Mesh::read(&kind, &bytes, mirrored).map_err(at)?
             }
@@ -196,13 +185,6 @@ impl MeshAsset<'_> {
 /// A vertex number; what is none becomes one that no mesh has.
 fn index(x: f64) -> u32 {
     if x >= 0.0 && x < f64::from(u32::MAX) { x as u32 } else { u32::MAX }
-}
-
-fn bytes(path: &Path) -> Result<Vec<u8>, FileFault> {
-    match std::fs::metadata(path) {
-        Ok(data) if data.len() > MESH_LIMIT => Err(FileFault::TooLarge { limit: MESH_LIMIT }),
-        _ => file::contents(path),
-    }
 }
 
 /// A name whose extension says what the file holds.

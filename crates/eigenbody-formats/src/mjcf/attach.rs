@@ -13,6 +13,9 @@ use crate::suggest::did_you_mean;
 use crate::xml::Element;
 use std::rc::Rc;
 
+/// Most attachments of one file: each looks through all bodies.
+const MAX_ATTACHMENTS: usize = 10_000;
+
 /// What stands in a frame: a body without a parent, whose contents they are.
 struct Contents {
     part: Part,
@@ -20,20 +23,21 @@ struct Contents {
 }
 
 /// Attaches what an element names to a body, inside a frame.
-pub(super) fn attach<'a>(
-    reader: &mut Reader<'a>,
-    element: &'a Element,
-    at: Context,
-) -> Result<(), Fault> {
+pub(super) fn attach<'a>(reader: &mut Reader<'a>, element: &'a Element, at: Context) -> Result<(), Fault> {
     let prefix = required(element, "prefix")?.value.clone();
+    reader.attachments += 1;
+    if reader.attachments > MAX_ATTACHMENTS {
+        return Err(fault(element.at, MjcfFault::TooManyAttachments { limit: MAX_ATTACHMENTS }));
+    }
     let rename = |name: &str| format!("{prefix}{name}");
     let (body, frame) = (element.get("body"), element.get("frame"));
     let Some(model_name) = element.get("model") else {
         match (body, frame) {
             (Some(name), _) => {
-                let source = Part { first: 0, bodies: reader.tree.bodies.clone() };
-                let id = find(&source.bodies, name)
-                    .ok_or_else(|| nothing(element, "body", name, body_names(&source.bodies)))?;
+                let bodies = &reader.tree.bodies;
+                let id =
+                    find(bodies, name).ok_or_else(|| nothing(element, "body", name, body_names(bodies)))?;
+                let (source, id) = reader.tree.part(id);
                 let pose = source.body(id).own_pose * at.frame;
                 reader.tree.copy_body(&source, id, at.body, pose, &rename);
             }

@@ -76,9 +76,9 @@ pub(super) fn boolean(attribute: Option<&Attribute>, tag: &str) -> Result<Option
 
 /// An attribute that must be there.
 pub(super) fn required<'a>(element: &'a Element, name: &'static str) -> Result<&'a Attribute, Fault> {
-    element.find(name).ok_or_else(|| {
-        fault(element.at, MjcfFault::MissingAttribute { element: element.described(), name })
-    })
+    element
+        .find(name)
+        .ok_or_else(|| fault(element.at, MjcfFault::MissingAttribute { element: element.described(), name }))
 }
 
 /// An attribute holds something else than what is expected.

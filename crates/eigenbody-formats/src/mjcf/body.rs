@@ -70,7 +70,6 @@ pub(super) struct Body {
     pub settings: Rc<Compiler>,
 }
 
-
 /// All bodies of a document; the children of a body are in the order of the file.
 #[derive(Debug)]
 pub(super) struct Tree {
@@ -127,6 +126,22 @@ impl Tree {
     /// Takes away the last bodies, from one on.
     pub fn split_off(&mut self, first: usize) -> Part {
         Part { first, bodies: self.bodies.split_off(first) }
+    }
+
+    /// A copy of a body and all that it carries, and the body's number in it.
+    pub fn part(&self, of: usize) -> (Part, usize) {
+        let mut bodies: Vec<Body> = Vec::new();
+        let mut stack = vec![(of, None)];
+        while let Some((id, parent)) = stack.pop() {
+            let number = bodies.len();
+            let mut copy = self.bodies[id].clone();
+            stack.extend(copy.children.drain(..).rev().map(|child| (child, Some(number))));
+            bodies.push(copy);
+            if let Some(parent) = parent {
+                bodies[parent].children.push(number);
+            }
+        }
+        (Part { first: 0, bodies }, 0)
     }
 
     /// Copies what stands in a body into a body of this tree, displaced and renamed.

@@ -9,8 +9,18 @@ use std::collections::HashMap;
 
 /// The actuators of a class are one and the same, whatever their kind.
 const ACTUATORS: [&str; 12] = [
-    "general", "motor", "position", "velocity", "intvelocity", "orientation", "pid", "damper", "cylinder", "muscle",
-    "adhesion", "dcmotor",
+    "general",
+    "motor",
+    "position",
+    "velocity",
+    "intvelocity",
+    "orientation",
+    "pid",
+    "damper",
+    "cylinder",
+    "muscle",
+    "adhesion",
+    "dcmotor",
 ];
 
 /// What is known of a joint by its name.
@@ -82,7 +92,8 @@ impl Couplings {
         match element.tag.as_str() {
             "connect" | "weld" => self.note(element, Note::Loop { element: element.described() }),
             "joint" => {
-                let (first, second) = (sections.joint(element.get("joint1")), sections.joint(element.get("joint2")));
+                let (first, second) =
+                    (sections.joint(element.get("joint1")), sections.joint(element.get("joint2")));
                 let c = numbers(element.find("polycoef"), "joint", 1..=5)?.unwrap_or(vec![0.0, 1.0]);
                 let c = |k: usize| c.get(k).copied().unwrap_or(if k == 1 { 1.0 } else { 0.0 });
                 let linear = (2..5).all(|k| c(k) == 0.0);
@@ -107,7 +118,8 @@ impl Couplings {
     /// True unless the joint follows another one already, or its leader follows it.
     fn can_follow(&self, joint: usize, leader: usize) -> bool {
         let leader_of = |j: usize| self.follow.iter().find(|f| f.joint == j).map(|f| f.leader);
-        leader_of(joint).is_none() && std::iter::successors(Some(leader), |&j| leader_of(j)).all(|j| j != joint)
+        leader_of(joint).is_none()
+            && std::iter::successors(Some(leader), |&j| leader_of(j)).all(|j| j != joint)
     }
 
     fn tendon(&mut self, element: &Element, tendon: &Tendon) {
@@ -120,7 +132,9 @@ impl Couplings {
             return;
         }
         match tendon.joints.as_deref() {
-            Some([(joint, coefficient)]) => self.armature.push((*joint, armature * coefficient * coefficient)),
+            Some([(joint, coefficient)]) => {
+                self.armature.push((*joint, armature * coefficient * coefficient));
+            }
             _ => self.note(element, Note::ArmatureIgnored { element: element.described() }),
         }
     }

@@ -108,10 +108,10 @@ impl<'a> Styled<'a> {
     /// The elements that speak for this one, nearest first: itself, then those of its class, then of the class around that.
     pub fn layers(&self) -> impl Iterator<Item = &'a Element> + use<'a> {
         let (classes, tag, tags) = (&self.defaults.classes, self.element.tag.as_str(), self.tags);
-        let speaks = move |e: &&Element| if tags.is_empty() { e.tag == tag } else { tags.contains(&e.tag.as_str()) };
+        let speaks =
+            move |e: &&Element| if tags.is_empty() { e.tag == tag } else { tags.contains(&e.tag.as_str()) };
         let chain = std::iter::successors(Some(self.class.0), |&id| classes[id].parent);
-        let of_class =
-            chain.flat_map(move |id| classes[id].elements.iter().rev().copied().filter(speaks));
+        let of_class = chain.flat_map(move |id| classes[id].elements.iter().rev().copied().filter(speaks));
         std::iter::once(self.element).chain(of_class)
     }
 

@@ -8,8 +8,8 @@ use crate::xml::{Element, Files, Spot};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-/// Deepest nesting of models in models.
-const MAX_DEPTH: usize = 20;
+/// Most files of one model.
+const MAX_FILES: usize = 1000;
 
 /// A spliced root that follows the schema.
 #[derive(Debug)]
@@ -24,15 +24,16 @@ pub(super) struct Model {
 impl Model {
     /// The model of a text, and all models that it names.
     pub fn load(text: String, path: &Path, name: &str, files: &mut Files) -> Result<Self, Fault> {
-        Self::load_at(text, path, name, files, 0)
+        Self::load_below(text, path, name, files, &mut Vec::new())
     }
 
-    fn load_at(
+    /// `above` are the files of the models that this one is an asset of.
+    fn load_below(
         contents: String,
         path: &Path,
         name: &str,
         files: &mut Files,
-        depth: usize,
+        above: &mut Vec<PathBuf>,
     ) -> Result<Self, Fault> {
         let mut splicer = Splicer::new(files, path);
         let (root, folder) = (splicer.root(contents, name)?, splicer.folder);
@@ -40,23 +41,26 @@ impl Model {
             return Err(fault(root.at, MjcfFault::Root { tag: root.tag }));
         }
         schema::check(&root)?;
+        above.push(std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
         let named = root.children_named("asset").flat_map(|a| a.children_named("model"));
         let mut models = Vec::new();
         for element in named {
             let at = element.spot_of("file");
             let file = element.get("file").unwrap_or_default();
-            let refused = |problem| fault(at, MjcfFault::Include { file: file.to_owned(), fault: problem });
-            if depth >= MAX_DEPTH {
-                return Err(fault(at, MjcfFault::IncludeDepth { limit: MAX_DEPTH }));
-            }
             let here = files.0.get(at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
             let candidates = [folder.join(file), here.join(file)];
             let path = candidates.iter().find(|path| path.exists()).unwrap_or(&candidates[0]);
-            let bytes = file::contents(path).map_err(refused)?;
+            let known = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
+            if above.contains(&known) || files.0.len() >= MAX_FILES {
+                return Err(fault(at, MjcfFault::IncludedTwice { file: file.to_owned() }));
+            }
+            let bytes = file::contents(path)
+                .map_err(|problem| fault(at, MjcfFault::Include { file: file.to_owned(), fault: problem }))?;
             let contents = text(bytes, files.0.len() as u32, path, files)?;
             let name = path.display().to_string();
-            models.push((element.at, Self::load_at(contents, path, &name, files, depth + 1)?));
+            models.push((element.at, Self::load_below(contents, path, &name, files, above)?));
         }
+        above.pop();
         Ok(Self { root, folder, models })
     }
 }

@@ -29,7 +29,7 @@ pub enum MjcfFault {
     NumberCount { name: String, tag: String, found: usize, expected: String },
     #[error("'{file}' cannot be included: {fault}")]
     Include { file: String, fault: FileFault },
-    #[error("'{file}' is included already; a file is included once")]
+    #[error("'{file}' is included already; a file is included once, and not in itself")]
     IncludedTwice { file: String },
     #[error("'{file}' is included, but has no elements")]
     IncludedEmpty { file: String },
@@ -81,6 +81,8 @@ pub enum MjcfFault {
     TooManyBodies { limit: usize },
     #[error("more than {limit} geoms")]
     TooManyGeoms { limit: usize },
+    #[error("more than {limit} attachments")]
+    TooManyAttachments { limit: usize },
     #[error("no body or frame is named '{name}' to attach{suggestion}")]
     NothingToAttach { name: String, suggestion: String },
     #[error("key '{name}': qpos holds {found} numbers, expected {expected}")]

@@ -7,7 +7,7 @@ use super::defaults::Styled;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mesh::Enclosed;
 use super::orientation::{from_z, rotation};
-use super::shape::Shape;
+use crate::shape::Shape;
 use eigenbody::spatial::{Mat3, Transform, Vec3};
 
 /// Kinds of geom, in MuJoCo's words.
@@ -125,7 +125,8 @@ fn size(geom: &Styled<'_>) -> Result<[f64; 3], Fault> {
     let mut size = [0.0; 3];
     let layers: Vec<_> = geom.layers().collect();
     for layer in layers.into_iter().rev() {
-        for (slot, x) in size.iter_mut().zip(numbers(layer.find("size"), "geom", 1..=3)?.unwrap_or_default()) {
+        for (slot, x) in size.iter_mut().zip(numbers(layer.find("size"), "geom", 1..=3)?.unwrap_or_default())
+        {
             *slot = x;
         }
     }

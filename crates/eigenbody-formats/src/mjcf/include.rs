@@ -28,7 +28,7 @@ impl<'a> Splicer<'a> {
     /// The root of a text, with every include replaced by what it names.
     pub fn root(&mut self, text: String, name: &str) -> Result<Element, Fault> {
         let mut root = self.parse(text, name, &self.folder.clone())?;
-        self.splice(&mut root, 0)?;
+        self.splice(&mut root, 0, 0)?;
         Ok(root)
     }
 
@@ -41,15 +41,21 @@ impl<'a> Splicer<'a> {
         root
     }
 
-    fn splice(&mut self, element: &mut Element, depth: usize) -> Result<(), Fault> {
-        if !element.children.iter().any(|c| c.tag == "include") {
-            return element.children.iter_mut().try_for_each(|c| self.splice(c, depth));
+    /// Replaces the includes below an element, which stands so deep among elements and among files.
+    fn splice(&mut self, element: &mut Element, depth: usize, nesting: usize) -> Result<(), Fault> {
+        if depth > xml::MAX_DEPTH {
+            let limit = xml::MAX_DEPTH;
+            return Err(fault(element.at, MjcfFault::Xml(xml::XmlFault::TooDeep { limit })));
+        }
+        let has_include = element.children.iter().any(|c| c.tag == "include");
+        if !has_include {
+            return element.children.iter_mut().try_for_each(|c| self.splice(c, depth + 1, nesting));
         }
         for mut child in std::mem::take(&mut element.children) {
             if child.tag == "include" {
-                element.children.extend(self.include(&child, depth)?);
+                element.children.extend(self.include(&child, depth, nesting)?);
             } else {
-                self.splice(&mut child, depth)?;
+                self.splice(&mut child, depth + 1, nesting)?;
                 element.children.push(child);
             }
         }
@@ -57,8 +63,8 @@ impl<'a> Splicer<'a> {
     }
 
     /// The elements of the file that an include names, its own includes spliced.
-    fn include(&mut self, include: &Element, depth: usize) -> Result<Vec<Element>, Fault> {
-        if depth >= MAX_DEPTH {
+    fn include(&mut self, include: &Element, depth: usize, nesting: usize) -> Result<Vec<Element>, Fault> {
+        if nesting >= MAX_DEPTH {
             return Err(fault(include.at, MjcfFault::IncludeDepth { limit: MAX_DEPTH }));
         }
         let Some(name) = include.get("file") else {
@@ -83,7 +89,7 @@ impl<'a> Splicer<'a> {
         if root.children.is_empty() {
             return Err(fault(at, MjcfFault::IncludedEmpty { file: name.to_owned() }));
         }
-        self.splice(&mut root, depth + 1)?;
+        self.splice(&mut root, depth, nesting + 1)?;
         Ok(root.children)
     }
 }

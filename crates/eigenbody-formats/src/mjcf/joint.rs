@@ -14,11 +14,7 @@ const TYPES: [&str; 4] = ["free", "ball", "slide", "hinge"];
 const SHORTEST: f64 = 1e-7;
 
 /// A joint in its body, inside a frame.
-pub(super) fn read(
-    joint: &Styled<'_>,
-    frame: &Transform<f64>,
-    settings: &Compiler,
-) -> Result<Joint, Fault> {
+pub(super) fn read(joint: &Styled<'_>, frame: &Transform<f64>, settings: &Compiler) -> Result<Joint, Fault> {
     let tag = "joint";
     let motion = match keyword(joint.find("type"), tag, &TYPES)? {
         Some(0) => Motion::Free,

@@ -11,17 +11,13 @@ use eigenbody::spatial::Mat3;
 pub(super) const REFERENCE: &str = "qpos0";
 
 /// The pose that the file describes, and those of its `<key>` elements.
-pub(super) fn read(
-    root: &Element,
-    model: &Model<f64>,
-    reference: Vec<f64>,
-) -> Result<Vec<Keyframe>, Fault> {
-    let mut found = vec![Keyframe { name: REFERENCE.to_owned(), q: reference.clone() }];
+pub(super) fn read(root: &Element, model: &Model<f64>, reference: &[f64]) -> Result<Vec<Keyframe>, Fault> {
+    let mut found = vec![Keyframe { name: REFERENCE.to_owned(), q: reference.to_vec() }];
     let keys = root.children_named("keyframe").flat_map(|section| &section.children);
     for (k, key) in keys.enumerate() {
         let name = key.get("name").map_or_else(|| k.to_string(), str::to_owned);
         let q = match numbers(key.find("qpos"), "key", 0..=usize::MAX)? {
-            None => reference.clone(),
+            None => reference.to_vec(),
             Some(q) => coordinates(key, &name, q, model)?,
         };
         found.push(Keyframe { name, q });

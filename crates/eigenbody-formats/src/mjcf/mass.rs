@@ -46,11 +46,9 @@ pub(super) fn of(body: &Body) -> Result<Mass, Fault> {
             Mass { m: inertial.mass, com: inertial.pose.r, axes }
         }
         // MuJoCo puts the centre of a body about which nothing is said where the body stands in its parent.
-        (None, _) => Mass {
-            m: 0.0,
-            com: body.own_pose.r,
-            axes: Principal { moments: [0.0; 3], E: body.own_pose.E },
-        },
+        (None, _) => {
+            Mass { m: 0.0, com: body.own_pose.r, axes: Principal { moments: [0.0; 3], E: body.own_pose.E } }
+        }
     };
     if mass.m < 0.0 || mass.axes.moments.iter().any(|&i| i < 0.0) {
         let element = named(body);

@@ -26,7 +26,6 @@ mod mesh;
 mod orientation;
 mod principal;
 mod schema;
-mod shape;
 mod world;
 
 pub use fault::MjcfFault;
@@ -90,13 +89,14 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
     let built = build(&source, &files, path, options).map_err(|problem| match problem {
         Problem::Fault(problem) => located(*problem, &files),
         Problem::NoBase => {
-            let problem = "a floating base needs exactly one body in the world, welded to it or free".to_owned();
+            let problem =
+                "a floating base needs exactly one body in the world, welded to it or free".to_owned();
             FormatError::Unsuitable { text: name.clone(), problem }
         }
     })?;
     let Built { model, notes, reference, link_spots, joint_spots } = built;
     let keyframes =
-        keyframe::read(&source.root, &model, reference).map_err(|problem| located(problem, &files))?;
+        keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.0.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
@@ -184,7 +184,8 @@ fn finish(
     base: Base,
     files: &Files,
 ) -> Result<Built, Problem> {
-    let Parts { mut builder, joints, link_names, link_spots, joint_spots, reference, base_armature, .. } = parts;
+    let Parts { mut builder, joints, link_names, link_spots, joint_spots, reference, base_armature, .. } =
+        parts;
     let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
     joints.into_iter().for_each(|joint| {
         builder.joint(joint);

@@ -32,10 +32,7 @@ pub(super) fn rotation<'a>(
     if let Some(second) = second {
         let (first, second_name) = (form.name.clone(), second.name.clone());
         let element = element.described();
-        return Err(fault(
-            second.at,
-            MjcfFault::TwoOrientations { element, first, second: second_name },
-        ));
+        return Err(fault(second.at, MjcfFault::TwoOrientations { element, first, second: second_name }));
     }
     Ok(Some(read(form, &element.tag, settings)?))
 }

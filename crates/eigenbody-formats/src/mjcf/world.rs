@@ -15,10 +15,10 @@ use eigenbody::spatial::{Mat3, Sym3, Transform, Vec3};
 use std::rc::Rc;
 
 /// Most bodies of one file, replicated ones included.
-const MAX_BODIES: usize = 1_000_000;
+const MAX_BODIES: usize = 200_000;
 
 /// Most geoms of one file.
-const MAX_GEOMS: usize = 4_000_000;
+const MAX_GEOMS: usize = 1_000_000;
 
 /// What stands around an element: the body, the frames inside it, the class that speaks where the element is silent.
 #[derive(Clone, Copy)]
@@ -50,6 +50,8 @@ pub(super) struct Reader<'a> {
     pub frames: Vec<(&'a Element, Context)>,
     /// The models that were attached, each with its prefix.
     pub attached: Vec<(&'a Model, String)>,
+    /// How many attachments there were.
+    pub attachments: usize,
     geoms: usize,
 }
 
@@ -63,7 +65,7 @@ impl<'a> Reader<'a> {
     ) -> Self {
         let tree = Tree::new(document.root.at, settings);
         let (frames, attached) = (Vec::new(), Vec::new());
-        Self { document, defaults, settings, assets, tree, frames, attached, geoms: 0 }
+        Self { document, defaults, settings, assets, tree, frames, attached, attachments: 0, geoms: 0 }
     }
 
     /// Reads them all.
@@ -85,10 +87,12 @@ impl<'a> Reader<'a> {
                 let class = self.defaults.named(element, "childclass")?.unwrap_or(at.class);
                 let frame = pose(element, self.settings)? * at.frame;
                 let inside = Context { frame, class, ..at };
+                self.contents(element, inside)?;
+                // Only now: a frame cannot be attached inside itself.
                 if element.find("name").is_some() {
                     self.frames.push((element, at));
                 }
-                self.contents(element, inside)
+                Ok(())
             }
             "replicate" => self.replicate(element, at),
             "attach" => attach::attach(self, element, at),
@@ -219,18 +223,15 @@ impl<'a> Reader<'a> {
 }
 
 /// `<inertial>`, inside a frame.
-fn inertial(
-    element: &Element,
-    frame: &Transform<f64>,
-    settings: &Compiler,
-) -> Result<Inertial, Fault> {
+fn inertial(element: &Element, frame: &Transform<f64>, settings: &Compiler) -> Result<Inertial, Fault> {
     let tag = "inertial";
     required(element, "pos")?;
     let mass = number(Some(required(element, "mass")?), tag)?.unwrap_or(0.0);
     let diagonal: Option<[f64; 3]> = array(element.find("diaginertia"), tag)?;
     let full: Option<[f64; 6]> = array(element.find("fullinertia"), tag)?;
     let own = pose(element, settings)?;
-    let problem = |problem| Err(fault(element.at, MjcfFault::Inertial { element: element.described(), problem }));
+    let problem =
+        |problem| Err(fault(element.at, MjcfFault::Inertial { element: element.described(), problem }));
     let inertia = match (diagonal, full) {
         (Some(d), Some(_)) if d != [0.0; 3] => {
             return problem("both diaginertia and fullinertia, expected one of them");

@@ -73,9 +73,8 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
     };
     let (model, offsets) = model(robot, &robot_name, options.base)
         .map_err(|Fault { offset, fault }| located(Location::at(text.as_bytes(), offset), fault))?;
-    let located = |offsets: &[usize]| {
-        Location::all(text.as_bytes(), offsets).into_iter().map(|at| (0, at)).collect()
-    };
+    let located =
+        |offsets: &[usize]| Location::all(text.as_bytes(), offsets).into_iter().map(|at| (0, at)).collect();
     let places = Places {
         files: vec![file_name.to_owned()],
         links: located(&offsets.links),

@@ -136,7 +136,9 @@ fn assets() {
 #[test]
 fn keyframes() {
     let key = |key: &str| {
-        fault(&format!("<worldbody><body><joint/><geom size='.1'/></body><body><freejoint/><geom size='.1'/></body></worldbody>\n<keyframe>{key}</keyframe>"))
+        fault(&format!(
+            "<worldbody><body><joint/><geom size='.1'/></body><body><freejoint/><geom size='.1'/></body></worldbody>\n<keyframe>{key}</keyframe>"
+        ))
     };
     assert_snapshot!(key("<key name='home' qpos='1 2'/>"), @"m.xml:3:28: key 'home': qpos holds 2 numbers, expected 8");
     assert_snapshot!(key("<key qpos='1 0 0 0 0 0 0 0'/>"), @"m.xml:3:16: key '0': the quaternion of joint 'joint_2' is zero");

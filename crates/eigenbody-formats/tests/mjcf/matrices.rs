@@ -22,7 +22,8 @@ fn every_case_is_mujocos() {
 
 #[test]
 fn an_aligned_body_moves_about_its_principal_axes() {
-    let body = r#"<body pos="1 2 3"><freejoint align="true"/><geom type="box" size=".1 .2 .3" pos="1 0 0"/></body>"#;
+    let body =
+        r#"<body pos="1 2 3"><freejoint align="true"/><geom type="box" size=".1 .2 .3" pos="1 0 0"/></body>"#;
     let loaded = world(body);
     let q = loaded.configuration("qpos0", false).unwrap();
     assert_eq!(q, [2.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]);

@@ -1,6 +1,7 @@
 //! MJCF files: the numbers they give, against MuJoCo's, and the errors.
 
 mod cases;
+pub use cases::CASES;
 mod faults;
 mod files;
 mod matrices;

@@ -10,14 +10,17 @@ const BALL: &str = "<geom size='.1'/>";
 #[test]
 fn replicated_names_count_with_the_digits_of_the_last() {
     let inner = "<replicate count='2'><body name='l'><joint name='j'/><geom size='.1'/></body></replicate>";
-    let found = world(&format!("<replicate count='11' sep='-'><body name='k'>{inner}{BALL}</body></replicate>"));
+    let found =
+        world(&format!("<replicate count='11' sep='-'><body name='k'>{inner}{BALL}</body></replicate>"));
     let names: Vec<&str> = found.model.joints().iter().map(|j| j.name()).collect();
     assert_eq!((names.len(), names[0], names[1], names[21]), (22, "j0-00", "j1-00", "j1-10"));
 }
 
 #[test]
 fn what_has_no_name_gets_one_that_is_free() {
-    let found = world(&format!("<body name='body_2'><joint name='joint_0'/>{BALL}<body><joint/>{BALL}</body></body>"));
+    let found = world(&format!(
+        "<body name='body_2'><joint name='joint_0'/>{BALL}<body><joint/>{BALL}</body></body>"
+    ));
     let joints: Vec<&str> = found.model.joints().iter().map(|j| j.name()).collect();
     let links: Vec<&str> = found.model.links().iter().map(|l| l.name()).collect();
     assert_eq!(joints, ["joint_0", "joint_2"]);
@@ -106,7 +109,9 @@ fn one_tree_may_float() {
 #[test]
 fn gravity_is_the_files() {
     let gravity = |option: &str| {
-        let g = loaded(&format!("<mujoco>{option}<worldbody><body>{BALL}</body></worldbody></mujoco>")).model.gravity();
+        let g = loaded(&format!("<mujoco>{option}<worldbody><body>{BALL}</body></worldbody></mujoco>"))
+            .model
+            .gravity();
         g.to_array()
     };
     assert_eq!(gravity(""), [0.0, 0.0, -9.81]);

@@ -105,11 +105,7 @@ pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
 }
 
 /// Findings on the bodies as merged; `frames` are links that are meant to have no mass, ascending.
-pub(super) fn of_bodies<T: Real>(
-    links: &[LinkInfo<T>],
-    bodies: &[Body<T>],
-    frames: &[u32],
-) -> Vec<Finding> {
+pub(super) fn of_bodies<T: Real>(links: &[LinkInfo<T>], bodies: &[Body<T>], frames: &[u32]) -> Vec<Finding> {
     let massless =
         bodies.iter().filter(|body| body.I.m.to_f64() == 0.0 && frames.binary_search(&body.link).is_err());
     let finding = |body: &Body<T>| Finding::ZeroMass {

@@ -10,6 +10,9 @@ use super::MeshFault;
 use eigenbody::spatial::Vec3;
 use std::collections::HashMap;
 
+/// Most points of a hull.
+const MAX_POINTS: usize = 1_000_000;
+
 struct Face {
     corners: [u32; 3],
     normal: Vec3<f64>,
@@ -21,6 +24,9 @@ struct Face {
 
 /// Triangles of the convex hull, normals outwards.
 pub(super) fn hull(points: &[[f64; 3]]) -> Result<Vec<[u32; 3]>, MeshFault> {
+    if points.len() > MAX_POINTS {
+        return Err(MeshFault::TooLarge { limit: MAX_POINTS });
+    }
     let p: Vec<Vec3<f64>> = points.iter().map(|&v| Vec3::from_f64(v)).collect();
     let size = p.iter().map(|v| v.x.abs().max(v.y.abs()).max(v.z.abs())).fold(0.0, f64::max);
     // A point this little above a face is in it.

@@ -38,7 +38,7 @@ pub enum MeshFault {
     NotFinite,
     #[error("all vertices lie in one plane")]
     Flat,
-    #[error("more than {limit} faces")]
+    #[error("more than {limit} faces or vertices")]
     TooLarge { limit: usize },
     #[error("its surface is too small")]
     NoSurface,

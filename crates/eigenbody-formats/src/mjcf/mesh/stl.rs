@@ -29,6 +29,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, MeshFault> {
 
 /// Three little-endian f32.
 pub(super) fn vertex(bytes: &[u8]) -> [f64; 3] {
-    let number = |k: usize| f64::from(f32::from_le_bytes([bytes[k], bytes[k + 1], bytes[k + 2], bytes[k + 3]]));
+    let number =
+        |k: usize| f64::from(f32::from_le_bytes([bytes[k], bytes[k + 1], bytes[k + 2], bytes[k + 3]]));
     [number(0), number(4), number(8)]
 }

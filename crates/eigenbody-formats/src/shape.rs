@@ -1,12 +1,12 @@
 //! Primitive shapes: volume and inertia, solid or as a shell.
 //!
-//! Sizes are half-lengths, as in MJCF. Inertia is about the centre, per unit of the whole mass, on the shape's own axes.
+//! Sizes are half-lengths. Inertia is about the centre, per unit of the whole mass, on the shape's own axes.
 
 use std::f64::consts::PI;
 
 /// A primitive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Shape {
+pub(crate) enum Shape {
     /// Radius.
     Sphere([f64; 1]),
     /// Radius, half-length of the straight part along z.
