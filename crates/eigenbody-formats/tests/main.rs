@@ -12,5 +12,6 @@ mod expression;
 mod hostile;
 mod metric;
 mod mjcf;
+mod sdf;
 mod source;
 mod urdf;

@@ -34,7 +34,9 @@ pub enum SdfFault {
     PoseLoop { name: String },
     #[error("'{name}' is attached to no link")]
     NoLink { name: String },
-    #[error("joint '{joint}' has type '{found}', expected one of revolute, continuous, prismatic, revolute2, universal, ball, fixed")]
+    #[error(
+        "joint '{joint}' has type '{found}', expected one of revolute, continuous, prismatic, revolute2, universal, ball, fixed"
+    )]
     JointType { joint: String, found: String },
     #[error("joint '{joint}' moves the world: its child is 'world'")]
     WorldChild { joint: String },

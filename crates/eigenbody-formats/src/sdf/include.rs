@@ -67,7 +67,11 @@ impl Splicer<'_> {
         let mut model = model.ok_or_else(|| fault(include.at, SdfFault::NoModel))?;
         if let Some(name) = child(include, "name")? {
             model.attributes.retain(|a| a.name != "name");
-            model.attributes.push(xml::Attribute { name: "name".into(), value: name.text.clone(), at: name.at });
+            model.attributes.push(xml::Attribute {
+                name: "name".into(),
+                value: name.text.clone(),
+                at: name.at,
+            });
         }
         if let Some(pose) = child(include, "pose")? {
             model.children.retain(|c| c.tag != "pose");

@@ -71,6 +71,11 @@ fn primitive(shape: &Element) -> Result<Shape, Fault> {
         "capsule" => Shape::Capsule([size("radius")?, size("length")? / 2.0]),
         "ellipsoid" => Shape::Ellipsoid(sizes("radii")?),
         "plane" => Shape::Plane,
-        _ => return Err(unsupported(shape, "inertia comes from boxes, spheres, cylinders, capsules and ellipsoids")),
+        _ => {
+            return Err(unsupported(
+                shape,
+                "inertia comes from boxes, spheres, cylinders, capsules and ellipsoids",
+            ));
+        }
     })
 }

@@ -165,7 +165,8 @@ impl<'a> Parts<'a> {
         let inner = if lone { String::new() } else { format!("{scope}{own}::") };
         let fixed = fixed || boolean_in(model, "static", false)?;
         let first = model.children_named("link").next();
-        let canonical = model.get("canonical_link").or(first.and_then(|link| link.get("name"))).map(str::to_owned);
+        let canonical =
+            model.get("canonical_link").or(first.and_then(|link| link.get("name"))).map(str::to_owned);
         let placement = model.get("placement_frame").filter(|name| !name.is_empty()).map(str::to_owned);
         let (X, relative_to) = pose::pose(model)?;
         if !lone {
@@ -299,7 +300,9 @@ impl<'a> Parts<'a> {
                 Some(parent) => (ids[&parent], frames[&parent]),
                 None => match world {
                     Some(world) => (world, Transform::IDENTITY),
-                    None => return Err(unsupported(element, "on a floating base nothing hangs on the world")),
+                    None => {
+                        return Err(unsupported(element, "on a floating base nothing hangs on the world"));
+                    }
                 },
             };
             let motion =

@@ -11,12 +11,19 @@ use std::collections::HashMap;
 pub(super) enum Kind {
     World,
     /// With the name of its canonical link in its own scope, if it has a link.
-    Model { canonical: Option<String>, placement: Option<String> },
+    Model {
+        canonical: Option<String>,
+        placement: Option<String>,
+    },
     Link,
     /// With its child's name.
-    Joint { child: String },
+    Joint {
+        child: String,
+    },
     /// With what it is attached to.
-    Frame { attached_to: String },
+    Frame {
+        attached_to: String,
+    },
 }
 
 /// A named frame. Names are full: `outer::inner::link`.

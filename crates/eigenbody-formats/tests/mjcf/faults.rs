@@ -58,8 +58,8 @@ fn values() {
     assert_snapshot!(fault("<compiler coordinate='global'/>"), @"m.xml:2:1: <compiler> cannot be read: global coordinates are no longer part of MJCF");
     assert_snapshot!(world("<body><inertial mass='1'/></body>"), @"m.xml:2:18: <inertial> has no attribute 'pos'");
     assert_snapshot!(world("<replicate/>"), @"m.xml:2:12: <replicate> has no attribute 'count'");
-    assert_snapshot!(world("<replicate count='1e9'/>"), @"m.xml:2:23: 'count' of <replicate> holds '1e9', expected a whole number from 0 to 1000000");
-    assert_snapshot!(world("<replicate count='2.5'/>"), @"m.xml:2:23: 'count' of <replicate> holds '2.5', expected a whole number from 0 to 1000000");
+    assert_snapshot!(world("<replicate count='1e9'/>"), @"m.xml:2:23: 'count' of <replicate> holds '1e9', expected a whole number from 0 to 200000");
+    assert_snapshot!(world("<replicate count='2.5'/>"), @"m.xml:2:23: 'count' of <replicate> holds '2.5', expected a whole number from 0 to 200000");
 }
 
 #[test]

@@ -48,11 +48,11 @@ fn faults_name_the_included_file() {
     let folder = Folder::new();
     folder.file("part.xml", "<mujocoinclude>\n  <body><joint axis='0 0 0'/></body></mujocoinclude>");
     assert_snapshot!(folder.fault("<mujoco><worldbody><include file='part.xml'/></worldbody></mujoco>"), @"part.xml:2:16: 'axis' of <joint> is too short to give a direction");
-    assert_snapshot!(folder.fault("<mujoco><include file='part.xml'/><include file='part.xml'/></mujoco>"), @"main.xml:1:44: 'part.xml' is included already; a file is included once");
+    assert_snapshot!(folder.fault("<mujoco><include file='part.xml'/><include file='part.xml'/></mujoco>"), @"main.xml:1:44: 'part.xml' is included already; a file is included once, and not in itself");
     assert_snapshot!(folder.fault("<mujoco><include file='missing.xml'/></mujoco>"), @"main.xml:1:18: 'missing.xml' cannot be included: no such file");
     assert_snapshot!(folder.fault("<mujoco>\n<include/></mujoco>"), @"main.xml:2:1: <include> has no attribute 'file'");
     folder.file("a.xml", "<mujoco><include file='main.xml'/></mujoco>");
-    assert_snapshot!(folder.fault("<mujoco><include file='a.xml'/></mujoco>"), @"a.xml:1:18: 'main.xml' is included already; a file is included once");
+    assert_snapshot!(folder.fault("<mujoco><include file='a.xml'/></mujoco>"), @"a.xml:1:18: 'main.xml' is included already; a file is included once, and not in itself");
     folder.file("latin.xml", b"<mujoco>\n \xe9</mujoco>");
     assert_snapshot!(folder.fault("<mujoco><include file='latin.xml'/></mujoco>"), @"latin.xml:2:2: byte 0xe9 is not UTF-8 text");
     folder.file("empty.xml", "<mujoco/>");
