@@ -25,12 +25,16 @@ pub enum Command {
     Spectrum(SpectrumArgs),
     /// The mass matrix H itself.
     Matrix(MatrixArgs),
+    /// The tree, the degrees of freedom in order, masses, findings.
+    Info(InfoArgs),
+    /// The model in another format, its fixed joints merged.
+    Convert(ConvertArgs),
 }
 
 /// Which robot, in which configuration.
 #[derive(Debug, clap::Args)]
 pub struct RobotArgs {
-    /// A URDF or MJCF file, `puma560`, or a family: 'hydra(40,1,0,1)', 'onion(33,1.125,0,1)', 'chain(4, m=2.2, l=1)',
+    /// A URDF, MJCF or SDF file, `puma560`, or a family: 'hydra(40,1,0,1)', 'onion(33,1.125,0,1)', 'chain(4, m=2.2, l=1)',
     /// 'auto_tree(12,1.5,0.3,0.9)'.
     pub model: String,
 
@@ -113,6 +117,36 @@ pub struct MatrixArgs {
     /// Write to a file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// `eigenbody info`.
+#[derive(Debug, clap::Args)]
+pub struct InfoArgs {
+    /// A model, as for `spectrum`.
+    pub model: String,
+
+    /// What carries the root link.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `eigenbody convert`.
+#[derive(Debug, clap::Args)]
+pub struct ConvertArgs {
+    /// A model, as for `spectrum`.
+    pub model: String,
+
+    /// What carries the root link.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+
+    /// The file to write: .urdf, or .xml for MJCF.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
 }
 
 /// `--base`.

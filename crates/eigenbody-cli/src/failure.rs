@@ -22,6 +22,14 @@ pub enum Failure {
     /// The built-in robot could not be built.
     #[error(transparent)]
     Build(#[from] eigenbody::BuildError),
+    /// The format to be written cannot say what the model is.
+    #[error("{model}: {source}")]
+    Write {
+        /// The model as it was asked for.
+        model: String,
+        /// What it cannot say.
+        source: eigenbody_formats::WriteError,
+    },
     /// An option does not fit the others.
     #[error("{0}")]
     Usage(String),

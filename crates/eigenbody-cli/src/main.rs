@@ -22,6 +22,8 @@ fn main() -> ExitCode {
         None => commands::welcome::run(),
         Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum),
         Some(Command::Matrix(matrix)) => commands::matrix::run(matrix),
+        Some(Command::Info(info)) => commands::info::run(info),
+        Some(Command::Convert(convert)) => commands::convert::run(convert),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

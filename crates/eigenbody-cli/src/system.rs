@@ -18,6 +18,15 @@ pub struct System {
     at: String,
 }
 
+/// The model that a text names, on a base.
+pub fn open(model: &str, base: BaseArg) -> Result<Loaded, Failure> {
+    let base = match base {
+        BaseArg::Fixed => Base::Fixed,
+        BaseArg::Floating => Base::Floating,
+    };
+    Ok(load(model, &LoadOptions { base, size_ratio: None })?)
+}
+
 impl System {
     /// Reads what the arguments name.
     pub fn open(args: &RobotArgs) -> Result<Self, Failure> {

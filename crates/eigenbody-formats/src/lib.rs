@@ -15,7 +15,7 @@
 //! # What this crate does not do
 //!
 //! Of a URDF file it reads no meshes and resolves no `package://` addresses: nothing of these touches inertia. It expands no
-//! xacro. It writes nothing.
+//! xacro.
 
 #![forbid(unsafe_code)]
 // E, I and X are the book's symbols.
@@ -35,6 +35,7 @@ mod shape;
 mod source;
 mod suggest;
 pub mod urdf;
+mod write;
 mod xml;
 
 pub use configuration::configuration;
@@ -47,4 +48,5 @@ pub use mjcf::{MjcfOptions, read_mjcf, read_mjcf_str};
 pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
+pub use write::{WriteError, write_mjcf, write_urdf};
 pub use xml::XmlFault;

@@ -15,3 +15,4 @@ mod mjcf;
 mod sdf;
 mod source;
 mod urdf;
+mod write;

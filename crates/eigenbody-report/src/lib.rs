@@ -4,11 +4,13 @@
 
 #![forbid(unsafe_code)]
 
+mod info;
 mod matrix;
 mod number;
 mod spectrum;
 mod text;
 
+pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;
 pub use number::significant;
 pub use spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};

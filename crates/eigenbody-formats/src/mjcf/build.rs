@@ -6,8 +6,8 @@
 use super::body::{Body, Joint, Motion, Tree, WORLD};
 use super::coupling::Known;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
-use super::keyframe::quaternion;
 use super::mass::{self, Mass};
+use crate::write::quaternion;
 use crate::xml::{Element, Spot};
 use eigenbody::model::{JointSpec, LinkId};
 use eigenbody::spatial::{Mat3, RigidInertia, Transform, Vec3};

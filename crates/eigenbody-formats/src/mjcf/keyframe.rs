@@ -5,7 +5,6 @@ use super::fault::{Fault, MjcfFault, fault};
 use crate::loaded::Keyframe;
 use crate::xml::Element;
 use eigenbody::Model;
-use eigenbody::spatial::Mat3;
 
 /// The name of the pose that the file describes.
 pub(super) const REFERENCE: &str = "qpos0";
@@ -44,41 +43,4 @@ fn coordinates(key: &Element, name: &str, mut q: Vec<f64>, model: &Model<f64>) -
         quaternion.iter_mut().for_each(|x| *x /= norm);
     }
     Ok(q)
-}
-
-/// The unit quaternion w, x, y, z of a coordinate rotation E.
-pub(super) fn quaternion(E: &Mat3<f64>) -> [f64; 4] {
-    let [a, b, c] = [E.x.x, E.y.y, E.z.z];
-    // Four times the squares; the largest is at least 1.
-    let squares = [1.0 + a + b + c, 1.0 + a - b - c, 1.0 - a + b - c, 1.0 - a - b + c];
-    let largest = (0..4).max_by(|&i, &j| squares[i].total_cmp(&squares[j])).unwrap_or(0);
-    let s = 0.5 / squares[largest].sqrt();
-    // E is the transpose of R.
-    let (wx, wy, wz) = (E.y.z - E.z.y, E.z.x - E.x.z, E.x.y - E.y.x);
-    let (xy, xz, yz) = (E.x.y + E.y.x, E.x.z + E.z.x, E.y.z + E.z.y);
-    let half = squares[largest];
-    match largest {
-        0 => [half * s, wx * s, wy * s, wz * s],
-        1 => [wx * s, half * s, xy * s, xz * s],
-        2 => [wy * s, xy * s, half * s, yz * s],
-        _ => [wz * s, xz * s, yz * s, half * s],
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use eigenbody::spatial::Vec3;
-
-    #[test]
-    fn a_quaternion_gives_its_rotation_back() {
-        for q in [[0.5, 0.5, -0.5, 0.5], [0.1, 0.9, 0.3, -0.2], [0.0, 0.2, 0.9, 0.1], [-0.1, 0.1, 0.2, 0.9]] {
-            let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let E = Mat3::rotation_quaternion(q[0], Vec3::new(q[1], q[2], q[3]));
-            let found = quaternion(&E);
-            let cosine: f64 = found.iter().zip(q).map(|(a, b)| a * b / norm).sum();
-            // the same up to sign, 10 ε
-            assert!((cosine.abs() - 1.0).abs() < 10.0 * f64::EPSILON, "{found:?} {q:?}");
-        }
-    }
 }
