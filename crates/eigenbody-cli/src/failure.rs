@@ -50,6 +50,14 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// The error with the line of the file that it is about, for a person at a terminal.
+    pub fn excerpt(&self) -> Option<String> {
+        let Self::Format(error) = self else { return None };
+        let (file, at, message) = error.place()?;
+        let text = std::fs::read_to_string(file).ok()?;
+        eigenbody_report::excerpt(file, &text, (at.line, at.column), &message, true)
+    }
+
     /// The reader of our output has gone, as `head` does: no error.
     pub fn is_closed_pipe(&self) -> bool {
         matches!(self, Self::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe)

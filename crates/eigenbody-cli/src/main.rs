@@ -1,6 +1,7 @@
 //! The `eigenbody` command: how well-conditioned is this robot?
 //!
-//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 2 error.
+//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 2 error. An error is one line; on a terminal, with the line of the
+//! file that it is about.
 
 #![forbid(unsafe_code)]
 // H is the book's symbol.
@@ -14,6 +15,7 @@ mod system;
 
 use args::{Args, Command};
 use clap::Parser;
+use std::io::IsTerminal;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -29,7 +31,10 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) if failure.is_closed_pipe() => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            match std::io::stderr().is_terminal().then(|| failure.excerpt()).flatten() {
+                Some(excerpt) => eprintln!("{excerpt}"),
+                None => eprintln!("error: {failure}"),
+            }
             ExitCode::from(2)
         }
     }

@@ -78,6 +78,18 @@ pub enum FormatError {
     },
 }
 
+impl FormatError {
+    /// The file, the place in it and what is wrong there, if the error is about one place of a file.
+    pub fn place(&self) -> Option<(&str, Location, String)> {
+        match self {
+            Self::Urdf { file, at, fault } => Some((file, *at, OneLine(fault).to_string())),
+            Self::Mjcf { file, at, fault } => Some((file, *at, OneLine(fault).to_string())),
+            Self::Sdf { file, at, fault } => Some((file, *at, OneLine(fault).to_string())),
+            _ => None,
+        }
+    }
+}
+
 /// Why a file cannot be read.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[allow(missing_docs)] // the messages say it all

@@ -4,12 +4,14 @@
 
 #![forbid(unsafe_code)]
 
+mod excerpt;
 mod info;
 mod matrix;
 mod number;
 mod spectrum;
 mod text;
 
+pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;
 pub use number::significant;
