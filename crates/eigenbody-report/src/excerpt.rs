@@ -20,7 +20,8 @@ pub fn excerpt(
     if source.len() > LONGEST {
         return None;
     }
-    let start = source.char_indices().map(|(k, _)| k).chain([source.len()]).nth(column.checked_sub(1)? as usize)?;
+    let start =
+        source.char_indices().map(|(k, _)| k).chain([source.len()]).nth(column.checked_sub(1)? as usize)?;
     let snippet = Snippet::source(source)
         .line_start(line as usize)
         .path(file)
