@@ -1,17 +1,20 @@
-//! `cargo xtask conformance`: the released command against Pinocchio and against 300 digits, on real robots.
+//! `cargo xtask conformance`: real robots against the engines that their formats come from, and against 300 digits.
 
 use crate::program::{build_directory, cargo, program, root, run};
 use crate::{Outcome, oracle};
 
-/// Builds the command in release, as users get it, and hands it to `oracle/conformance.py` and `oracle/hard.py`.
+/// The released command on some robots, as users get it, and the readers on every file of whole packages.
 pub fn check() -> Outcome {
     if !oracle::python().exists() {
         return Err("the oracle is not installed: run `cargo xtask oracle` first".into());
     }
     run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
-    let command = build_directory()?.join("release").join("eigenbody");
-    for script in ["oracle/conformance.py", "oracle/hard.py"] {
-        run(program(oracle::python()).arg(root().join(script)).arg(&command))?;
-    }
-    Ok(())
+    run(&mut cargo(&["build", "--release", "--package", "eigenbody-formats", "--example", "matrices"]))?;
+    let release = build_directory()?.join("release");
+    let compare = |script: &str, with: &str| {
+        run(program(oracle::python()).arg(root().join("oracle").join(script)).arg(release.join(with)))
+    };
+    compare("conformance.py", "eigenbody")?;
+    compare("hard.py", "eigenbody")?;
+    compare("robots.py", "examples/matrices")
 }

@@ -25,12 +25,12 @@ const TASKS: [Task; 6] = [
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
     Task {
         name: "oracle",
-        about: "install the Python reference (Pinocchio) into .oracle/",
+        about: "install the Python references (Pinocchio, MuJoCo) into .oracle/",
         run: oracle::prepare,
     },
     Task {
         name: "conformance",
-        about: "H and kappa of real robots against Pinocchio",
+        about: "H and kappa of real robots against Pinocchio and MuJoCo",
         run: conformance::check,
     },
     Task {

@@ -43,8 +43,8 @@ fn install() -> Outcome {
         "python3 cannot make virtual environments: install python3-venv (Debian, Ubuntu: apt install python3-venv)"
     })?;
     run(program("python3").args(["-m", "venv", "--clear"]).arg(environment()))?;
-    // Ready-made packages only: building Pinocchio from source would fail late and at length.
+    // Ready-made packages only: building Pinocchio from source would fail late and at length. The list is complete.
     run(program(python())
         .args(["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check"])
-        .args(["--only-binary", ":all:", "-r", REQUIREMENTS]))
+        .args(["--only-binary", ":all:", "--no-deps", "-r", REQUIREMENTS]))
 }

@@ -27,16 +27,20 @@ pub enum Command {
     Matrix(MatrixArgs),
     /// Every figure and number of two papers on ill-conditioned mass matrices, printed against computed.
     Reproduce(ReproduceArgs),
+    /// The tree, the degrees of freedom in order, masses, findings.
+    Info(InfoArgs),
+    /// The model in another format, its fixed joints merged.
+    Convert(ConvertArgs),
 }
 
 /// Which robot, in which configuration.
 #[derive(Debug, clap::Args)]
 pub struct RobotArgs {
-    /// A URDF file, `puma560`, or a family: 'hydra(40,1,0,1)', 'onion(33,1.125,0,1)', 'chain(4, m=2.2, l=1)',
+    /// A URDF, MJCF or SDF file, `puma560`, or a family: 'hydra(40,1,0,1)', 'onion(33,1.125,0,1)', 'chain(4, m=2.2, l=1)',
     /// 'auto_tree(12,1.5,0.3,0.9)'.
     pub model: String,
 
-    /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..' or 'random(seed)'.
+    /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
     #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
     pub at: String,
 
@@ -48,9 +52,9 @@ pub struct RobotArgs {
     #[arg(long)]
     pub reduced: bool,
 
-    /// Mimic joints follow (on) or move freely (off).
-    #[arg(long, value_enum, value_name = "on|off", default_value_t = Switch::On)]
-    pub mimic: Switch,
+    /// Mimic joints, and the joint equalities of MJCF, are followed (on) or not (off). URDF: on, MJCF: off, as MuJoCo's own H.
+    #[arg(long, value_enum, value_name = "on|off")]
+    pub mimic: Option<Switch>,
 
     /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
     #[arg(long, value_name = "R")]
@@ -139,6 +143,36 @@ pub struct ReproduceArgs {
     /// Write into a folder that is not empty.
     #[arg(long)]
     pub force: bool,
+}
+
+/// `eigenbody info`.
+#[derive(Debug, clap::Args)]
+pub struct InfoArgs {
+    /// A model, as for `spectrum`.
+    pub model: String,
+
+    /// What carries the root link.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `eigenbody convert`.
+#[derive(Debug, clap::Args)]
+pub struct ConvertArgs {
+    /// A model, as for `spectrum`.
+    pub model: String,
+
+    /// What carries the root link.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+
+    /// The file to write: .urdf, or .xml for MJCF.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
 }
 
 /// `--base`.

@@ -22,6 +22,14 @@ pub enum Failure {
     /// The built-in robot could not be built.
     #[error(transparent)]
     Build(#[from] eigenbody::BuildError),
+    /// The format to be written cannot say what the model is.
+    #[error("{model}: {source}")]
+    Write {
+        /// The model as it was asked for.
+        model: String,
+        /// What it cannot say.
+        source: eigenbody_formats::WriteError,
+    },
     /// An option does not fit the others.
     #[error("{0}")]
     Usage(String),
@@ -58,6 +66,14 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// The error with the line of the file that it is about, for a person at a terminal.
+    pub fn excerpt(&self) -> Option<String> {
+        let Self::Format(error) = self else { return None };
+        let (file, at, message) = error.place()?;
+        let text = std::fs::read_to_string(file).ok()?;
+        eigenbody_report::excerpt(file, &text, (at.line, at.column), &message, true)
+    }
+
     /// The reader of our output has gone, as `head` does: no error.
     pub fn is_closed_pipe(&self) -> bool {
         matches!(self, Self::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe)

@@ -1,6 +1,7 @@
 //! The `eigenbody` command: how well-conditioned is this robot?
 //!
-//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 1 a claim that is not reproduced, 2 error.
+//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 1 a claim that is not reproduced, 2 error. An error is one line; on a
+//! terminal, with the line of the file that it is about.
 
 #![forbid(unsafe_code)]
 // H is the book's symbol.
@@ -14,6 +15,7 @@ mod system;
 
 use args::{Args, Command};
 use clap::Parser;
+use std::io::IsTerminal;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -23,13 +25,18 @@ fn main() -> ExitCode {
         Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum).map(|()| true),
         Some(Command::Matrix(matrix)) => commands::matrix::run(matrix).map(|()| true),
         Some(Command::Reproduce(reproduce)) => commands::reproduce::run(reproduce),
+        Some(Command::Info(info)) => commands::info::run(info).map(|()| true),
+        Some(Command::Convert(convert)) => commands::convert::run(convert).map(|()| true),
     };
     match result {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(failure) if failure.is_closed_pipe() => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            match std::io::stderr().is_terminal().then(|| failure.excerpt()).flatten() {
+                Some(excerpt) => eprintln!("{excerpt}"),
+                None => eprintln!("error: {failure}"),
+            }
             ExitCode::from(2)
         }
     }

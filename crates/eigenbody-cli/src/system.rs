@@ -3,7 +3,7 @@
 use crate::args::{BaseArg, RobotArgs, Switch};
 use crate::failure::Failure;
 use eigenbody::{Base, Matrix, Model, Reduction};
-use eigenbody_formats::{LoadOptions, Loaded, configuration, load};
+use eigenbody_formats::{LoadOptions, Loaded, load};
 use eigenbody_report::Subject;
 
 /// A robot in a configuration.
@@ -18,6 +18,15 @@ pub struct System {
     at: String,
 }
 
+/// The model that a text names, on a base.
+pub fn open(model: &str, base: BaseArg) -> Result<Loaded, Failure> {
+    let base = match base {
+        BaseArg::Fixed => Base::Fixed,
+        BaseArg::Floating => Base::Floating,
+    };
+    Ok(load(model, &LoadOptions { base, size_ratio: None })?)
+}
+
 impl System {
     /// Reads what the arguments name.
     pub fn open(args: &RobotArgs) -> Result<Self, Failure> {
@@ -30,10 +39,10 @@ impl System {
             return Err(Failure::Usage("--reduced removes a floating base: add --base floating".into()));
         }
         let reduction = Reduction {
-            mimic: args.mimic == Switch::On,
+            mimic: args.mimic.map_or(loaded.mimic, |switch| switch == Switch::On),
             base: base == Base::Floating && (args.reduced || loaded.is_family()),
         };
-        let q = configuration(&args.at, &loaded.model, reduction.mimic)?;
+        let q = loaded.configuration(&args.at, reduction.mimic)?;
         Ok(Self { loaded, reduction, q, name: args.model.clone(), at: args.at.clone() })
     }
 

@@ -2,6 +2,8 @@
 
 use crate::expression::ExpressionError;
 use crate::location::Location;
+use crate::mjcf::MjcfFault;
+use crate::sdf::SdfFault;
 use crate::urdf::UrdfFault;
 use std::fmt::{self, Write};
 use thiserror::Error;
@@ -26,6 +28,26 @@ pub enum FormatError {
         at: Location,
         /// What is wrong there.
         fault: Box<UrdfFault>,
+    },
+    /// Something at one place of an MJCF file, or of a file that it includes.
+    #[error("{}:{at}: {}", OneLine(file), OneLine(fault))]
+    Mjcf {
+        /// The file.
+        file: String,
+        /// The place.
+        at: Location,
+        /// What is wrong there.
+        fault: Box<MjcfFault>,
+    },
+    /// Something at one place of an SDF file, or of a file that it includes.
+    #[error("{}:{at}: {}", OneLine(file), OneLine(fault))]
+    Sdf {
+        /// The file.
+        file: String,
+        /// The place.
+        at: Location,
+        /// What is wrong there.
+        fault: Box<SdfFault>,
     },
     /// Something at one column of an expression.
     #[error(transparent)]
@@ -56,13 +78,25 @@ pub enum FormatError {
     },
 }
 
+impl FormatError {
+    /// The file, the place in it and what is wrong there, if the error is about one place of a file.
+    pub fn place(&self) -> Option<(&str, Location, String)> {
+        match self {
+            Self::Urdf { file, at, fault } => Some((file, *at, OneLine(fault).to_string())),
+            Self::Mjcf { file, at, fault } => Some((file, *at, OneLine(fault).to_string())),
+            Self::Sdf { file, at, fault } => Some((file, *at, OneLine(fault).to_string())),
+            _ => None,
+        }
+    }
+}
+
 /// Why a file cannot be read.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[allow(missing_docs)] // the messages say it all
 pub enum FileFault {
     #[error("no such file")]
     Missing,
-    #[error("a directory, expected a URDF file")]
+    #[error("a directory, expected a file")]
     Directory,
     #[error("larger than {limit} bytes")]
     TooLarge { limit: u64 },

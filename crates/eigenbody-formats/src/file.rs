@@ -5,14 +5,14 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-/// Largest file that is read: 1 GiB.
-const LIMIT: u64 = 1 << 30;
+/// Largest file that is read: 256 MiB.
+const LIMIT: u64 = 1 << 28;
 
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, FormatError> {
     contents(path).map_err(|fault| FormatError::File { file: path.display().to_string(), fault })
 }
 
-fn contents(path: &Path) -> Result<Vec<u8>, FileFault> {
+pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, FileFault> {
     if path.is_dir() {
         return Err(FileFault::Directory);
     }

@@ -14,8 +14,8 @@
 //!
 //! # What this crate does not do
 //!
-//! It reads no meshes, resolves no `package://` addresses and expands no xacro: nothing of these touches inertia. MJCF and
-//! SDF files are recognised and refused. It writes nothing.
+//! Of a URDF file it reads no meshes and resolves no `package://` addresses: nothing of these touches inertia. It expands no
+//! xacro.
 
 #![forbid(unsafe_code)]
 // E, I and X are the book's symbols.
@@ -29,15 +29,24 @@ mod file;
 mod loaded;
 mod location;
 mod metric;
+pub mod mjcf;
+pub mod sdf;
+mod shape;
 mod source;
 mod suggest;
 pub mod urdf;
+mod write;
+mod xml;
 
 pub use configuration::configuration;
 pub use error::{FileFault, FormatError};
 pub use expression::ExpressionError;
-pub use loaded::{Kind, Loaded};
+pub use loaded::{Keyframe, Kind, Loaded, Note};
 pub use location::Location;
 pub use metric::metric;
+pub use mjcf::{MjcfOptions, read_mjcf, read_mjcf_str};
+pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
+pub use write::{WriteError, write_mjcf, write_urdf};
+pub use xml::XmlFault;

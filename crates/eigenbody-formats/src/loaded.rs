@@ -1,8 +1,11 @@
 //! A model with where it came from.
 
+use crate::configuration::configuration;
+use crate::error::{FormatError, OneLine};
 use crate::location::Location;
 use eigenbody::model::{Finding, Place};
 use eigenbody::{Family, Model};
+use std::fmt;
 use std::path::PathBuf;
 
 /// A model, and what its text said about it.
@@ -14,6 +17,11 @@ pub struct Loaded {
     pub name: String,
     /// What kind of text it came from.
     pub kind: Kind,
+    /// True if joints that follow others do so unless asked otherwise: URDF's mimic joints. False for MJCF, whose equalities
+    /// are no part of MuJoCo's mass matrix.
+    pub mimic: bool,
+    pub(crate) keyframes: Vec<Keyframe>,
+    pub(crate) notes: Vec<(String, Location, Note)>,
     pub(crate) places: Places,
 }
 
@@ -28,21 +36,86 @@ pub enum Kind {
     File(PathBuf),
 }
 
-/// Where links and joints stand in the file; empty without a file.
+/// A configuration with a name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Keyframe {
+    /// Its name.
+    pub name: String,
+    /// All coordinates.
+    pub q: Vec<f64>,
+}
+
+/// What the text says and the model does not.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Note {
+    /// The robot has no name; it is named after its file.
+    NoName,
+    /// Two bodies are fastened to each other across the tree.
+    Loop {
+        /// The element.
+        element: String,
+    },
+    /// An equality that is no linear relation of two joints with one coordinate each, or contradicts an earlier one.
+    EqualityIgnored {
+        /// The element.
+        element: String,
+    },
+    /// Armature that couples several joints, or whose joint is not known.
+    ArmatureIgnored {
+        /// The element.
+        element: String,
+    },
+    /// A body outside <worldbody>, which MuJoCo passes over.
+    OutsideWorld {
+        /// The element.
+        element: String,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoName => f.write_str("<robot> has no attribute 'name'; it is named after its file"),
+            Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it"),
+            Self::EqualityIgnored { element } => {
+                write!(f, "{element} is an equality that --mimic on does not apply")
+            }
+            Self::OutsideWorld { element } => {
+                write!(f, "{element} stands outside <worldbody> and is passed over")
+            }
+            Self::ArmatureIgnored { element } => {
+                write!(f, "{element} has armature that couples several joints: H is without it")
+            }
+        }
+    }
+}
+
+/// Where links and joints stand, by file and place; empty without a file.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Places {
-    pub links: Vec<Location>,
-    pub joints: Vec<Location>,
+    pub files: Vec<String>,
+    pub links: Vec<(u32, Location)>,
+    pub joints: Vec<(u32, Location)>,
 }
 
 impl Loaded {
-    /// Where a link or joint stands in the file, if there is one.
+    pub(crate) fn new(model: Model<f64>, name: String, kind: Kind, places: Places) -> Self {
+        Self { model, name, kind, mimic: true, keyframes: Vec::new(), notes: Vec::new(), places }
+    }
+
+    /// Where a link or joint stands in its file, if there is one.
     pub fn location(&self, place: Place) -> Option<Location> {
-        match place {
+        self.place(place).map(|(_, at)| at)
+    }
+
+    /// The file and the place of a link or joint, if there is one.
+    pub fn place(&self, place: Place) -> Option<(&str, Location)> {
+        let (file, at) = match place {
             Place::Model => None,
             Place::Link(link) => self.places.links.get(link.index()).copied(),
             Place::Joint(joint) => self.places.joints.get(joint.index()).copied(),
-        }
+        }?;
+        Some((self.places.files.get(file as usize)?, at))
     }
 
     /// True for a parametric family.
@@ -50,14 +123,40 @@ impl Loaded {
         matches!(self.kind, Kind::Family(_))
     }
 
-    /// What is suspicious about the model, each as [`warning`](Self::warning) prints it.
+    /// Configurations that the file names.
+    pub fn keyframes(&self) -> &[Keyframe] {
+        &self.keyframes
+    }
+
+    /// All coordinates of the configuration that a text names: a keyframe, as `home` or `key:home`, or what
+    /// [`configuration`](crate::configuration()) reads.
+    ///
+    /// Errors: [`FormatError::Expression`].
+    pub fn configuration(&self, text: &str, coupling: bool) -> Result<Vec<f64>, FormatError> {
+        let name = text.trim();
+        let plain = name.strip_prefix("key:").unwrap_or(name);
+        match self.keyframes.iter().find(|key| key.name == plain) {
+            Some(key) => Ok(key.q.clone()),
+            None => configuration(text, &self.model, coupling),
+        }
+    }
+
+    /// What is suspicious about the model, and what its text says and it does not: each as [`warning`](Self::warning) prints it.
     pub fn findings(&self) -> Vec<String> {
-        self.model.findings().iter().map(|finding| self.warning(finding)).collect()
+        let of_model = self.model.findings().iter().map(|finding| self.warning(finding));
+        let of_text = self
+            .notes
+            .iter()
+            .map(|(file, at, note)| OneLine(format!("{file}:{at}: warning: {note}")).to_string());
+        of_model.chain(of_text).collect()
     }
 
     /// `file:line:column: warning: text`, on one line.
     pub fn warning(&self, finding: &Finding) -> String {
-        let at = self.location(finding.place()).map(|at| format!(":{at}")).unwrap_or_default();
-        crate::error::OneLine(format!("{}{at}: warning: {finding}", self.name)).to_string()
+        let at = match self.place(finding.place()) {
+            Some((file, at)) => format!("{file}:{at}"),
+            None => self.name.clone(),
+        };
+        OneLine(format!("{at}: warning: {finding}")).to_string()
     }
 }

@@ -3,6 +3,8 @@
 use crate::error::FormatError;
 use crate::family;
 use crate::loaded::{Kind, Loaded, Places};
+use crate::mjcf::{MjcfOptions, read_mjcf};
+use crate::sdf::{SdfOptions, read_sdf};
 use crate::suggest::did_you_mean;
 use crate::urdf::{UrdfOptions, read_urdf};
 use eigenbody::Base;
@@ -25,7 +27,7 @@ const EXTENSIONS: [&str; 4] = ["urdf", "xml", "sdf", "xacro"];
 ///
 /// | text | model |
 /// |------|-------|
-/// | `robot.urdf`, any path to a file | what the file describes |
+/// | `robot.urdf`, `robot.xml`, any path to a file | what the file describes: URDF, MJCF or SDF |
 /// | `hydra(N,B,α,ρ)`, `onion(N,B,α,ρ)`, `auto_tree(N,B,α,ρ)` | a family's member; left out: B = 1, α = 0, ρ = 1 |
 /// | `chain(N, m=2.2, l=1)` | slender rods; left out: m = 1, l = 1 |
 /// | `puma560` | a built-in robot |
@@ -47,7 +49,7 @@ pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
             .model()
             .map_err(|fault| FormatError::Build { text: text.to_owned(), fault: Box::new(fault) })?;
         let name = family.name();
-        return Ok(Loaded { model, name, kind: Kind::Family(family), places: Places::default() });
+        return Ok(Loaded::new(model, name, Kind::Family(family), Places::default()));
     }
     match path.exists() {
         true => file(text, options),
@@ -55,9 +57,36 @@ pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
     }
 }
 
+/// A file, by what its root element says it is: the extension .xml is many formats'.
 fn file(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
     no_size_ratio(text, options)?;
-    read_urdf(Path::new(text), &UrdfOptions { base: options.base })
+    let path = Path::new(text);
+    match root_tag(&crate::file::read(path)?) {
+        b"mujoco" | b"mujocoinclude" => read_mjcf(path, &MjcfOptions { base: options.base }),
+        b"sdf" => read_sdf(path, &SdfOptions { base: options.base }),
+        _ => read_urdf(path, &UrdfOptions { base: options.base }),
+    }
+}
+
+/// The name of the first element, empty if none is found; whether the text is well-formed is for its reader to say.
+fn root_tag(bytes: &[u8]) -> &[u8] {
+    let mut rest = bytes;
+    while let Some(open) = rest.iter().position(|&b| b == b'<') {
+        rest = &rest[open + 1..];
+        let skip: &[u8] = match rest {
+            [b'!', b'-', b'-', ..] => b"-->",
+            [b'!' | b'?', ..] => b">",
+            _ => {
+                let end = rest.iter().position(|b| b.is_ascii_whitespace() || matches!(b, b'>' | b'/'));
+                return &rest[..end.unwrap_or(rest.len())];
+            }
+        };
+        match rest.windows(skip.len()).position(|w| w == skip) {
+            Some(end) => rest = &rest[end + skip.len()..],
+            None => return b"",
+        }
+    }
+    b""
 }
 
 fn puma560(options: &LoadOptions) -> Result<Loaded, FormatError> {
@@ -68,7 +97,7 @@ fn puma560(options: &LoadOptions) -> Result<Loaded, FormatError> {
     }
     let model = eigenbody::family::puma560()
         .map_err(|fault| FormatError::Build { text: PUMA560.to_owned(), fault: Box::new(fault) })?;
-    Ok(Loaded { model, name: PUMA560.to_owned(), kind: Kind::BuiltIn, places: Places::default() })
+    Ok(Loaded::new(model, PUMA560.to_owned(), Kind::BuiltIn, Places::default()))
 }
 
 fn no_size_ratio(text: &str, options: &LoadOptions) -> Result<(), FormatError> {

@@ -9,6 +9,10 @@
 
 mod configuration;
 mod expression;
+mod hostile;
 mod metric;
+mod mjcf;
+mod sdf;
 mod source;
 mod urdf;
+mod write;

@@ -129,10 +129,9 @@ fn files_are_read_whatever_their_extension() {
 #[test]
 fn files_that_cannot_be_read_say_why() {
     assert_snapshot!(file_error("absent.urdf"), @"absent.urdf: no such file");
-    assert_snapshot!(file_error("directory.urdf"), @"directory.urdf: a directory, expected a URDF file");
+    assert_snapshot!(file_error("directory.urdf"), @"directory.urdf: a directory, expected a file");
     assert_snapshot!(file_error("latin1.urdf"), @"latin1.urdf:1:15: byte 0xfc is not UTF-8 text");
-    assert_snapshot!(file_error("mujoco.xml"), @"mujoco.xml:2:1: MJCF files are not supported yet; this version reads URDF");
-    assert_snapshot!(file_error("world.sdf"), @"world.sdf:1:1: SDF files are not supported yet; this version reads URDF");
+    assert_snapshot!(file_error("world.sdf"), @"world.sdf:1:1: <sdf> holds no <model> and no <world>");
     assert_snapshot!(file_error("macros.xacro"), @"macros.xacro:2:3: <xacro:property> is a xacro macro; expand the file with xacro first");
     assert_snapshot!(file_error("empty"), @"empty:1:1: not well-formed XML: the document does not have a root node");
 }

@@ -4,7 +4,9 @@
 
 #![forbid(unsafe_code)]
 
+mod excerpt;
 pub mod figure;
+mod info;
 mod matrix;
 mod number;
 mod reproduction;
@@ -12,6 +14,8 @@ mod spectrum;
 mod table;
 mod text;
 
+pub use excerpt::excerpt;
+pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;
 pub use number::significant;
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};

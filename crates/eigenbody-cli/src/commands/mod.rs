@@ -1,5 +1,7 @@
 //! One file a command.
 
+pub mod convert;
+pub mod info;
 pub mod matrix;
 pub mod reproduce;
 pub mod spectrum;

@@ -15,8 +15,8 @@ pub enum UrdfFault {
     NotXml(String),
     #[error("document type declarations (<!DOCTYPE .. [..]>) are refused")]
     Doctype,
-    #[error("{format} files are not supported yet; this version reads URDF")]
-    OtherFormat { format: &'static str },
+    #[error("no URDF: the root element <{tag}> is that of an {format} file")]
+    OtherFormat { tag: String, format: &'static str },
     #[error("no URDF: the root element is <{tag}>, expected <robot>")]
     NotRobot { tag: String },
     #[error("<{tag}> is a xacro macro; expand the file with xacro first")]
@@ -69,8 +69,8 @@ pub(super) fn check_root(root: Element<'_, '_>) -> Result<(), Fault> {
                 return Err(Element(node).fault(UrdfFault::Xacro { tag }));
             }
         },
-        "mujoco" | "mujocoinclude" => UrdfFault::OtherFormat { format: "MJCF" },
-        "sdf" => UrdfFault::OtherFormat { format: "SDF" },
+        tag @ ("mujoco" | "mujocoinclude") => UrdfFault::OtherFormat { tag: tag.to_owned(), format: "MJCF" },
+        tag @ "sdf" => UrdfFault::OtherFormat { tag: tag.to_owned(), format: "SDF" },
         tag => UrdfFault::NotRobot { tag: tag.to_owned() },
     };
     Err(root.fault(fault))

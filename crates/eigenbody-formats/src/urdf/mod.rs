@@ -13,7 +13,7 @@ mod pose;
 pub use fault::UrdfFault;
 
 use crate::error::FormatError;
-use crate::loaded::{Kind, Loaded, Places};
+use crate::loaded::{Kind, Loaded, Note, Places};
 use crate::location::Location;
 use crate::suggest::did_you_mean;
 use eigenbody::model::{LinkId, Place};
@@ -66,13 +66,22 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         located(Location { line: at.row, column: at.col }, UrdfFault::from(error))
     })?;
     let robot = Element(xml.root_element());
-    let (model, offsets) = model(robot, options.base)
-        .map_err(|Fault { offset, fault }| located(Location::at(text.as_bytes(), offset), fault))?;
-    let places = Places {
-        links: Location::all(text.as_bytes(), &offsets.links),
-        joints: Location::all(text.as_bytes(), &offsets.joints),
+    let stem = || Path::new(file_name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let (robot_name, notes) = match robot.attribute("name") {
+        Ok(name) => (name.to_owned(), Vec::new()),
+        Err(_) => (stem(), vec![(file_name.to_owned(), robot.location(), Note::NoName)]),
     };
-    Ok(Loaded { model, name: file_name.to_owned(), kind: Kind::File(file_name.into()), places })
+    let (model, offsets) = model(robot, &robot_name, options.base)
+        .map_err(|Fault { offset, fault }| located(Location::at(text.as_bytes(), offset), fault))?;
+    let located =
+        |offsets: &[usize]| Location::all(text.as_bytes(), offsets).into_iter().map(|at| (0, at)).collect();
+    let places = Places {
+        files: vec![file_name.to_owned()],
+        links: located(&offsets.links),
+        joints: located(&offsets.joints),
+    };
+    let kind = Kind::File(file_name.into());
+    Ok(Loaded { notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.
@@ -82,9 +91,9 @@ struct Offsets {
     joints: Vec<usize>,
 }
 
-fn model(robot: Element<'_, '_>, base: Base) -> Result<(Model<f64>, Offsets), Fault> {
+fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, Offsets), Fault> {
     fault::check_root(robot)?;
-    let mut builder = ModelBuilder::new(robot.attribute("name")?);
+    let mut builder = ModelBuilder::new(name);
     let mut offsets = Offsets::default();
     let mut links: HashMap<&str, LinkId> = HashMap::new();
     for element in robot.children("link") {

@@ -50,12 +50,12 @@ fn entities_are_not_expanded() {
 
 #[test]
 fn xml_that_is_no_urdf() {
-    assert_snapshot!(fault_of("<mujoco model='arm'/>"), @"r.urdf:1:1: MJCF files are not supported yet; this version reads URDF");
-    assert_snapshot!(fault_of("<!-- world -->\n<sdf version='1.9'/>"), @"r.urdf:2:1: SDF files are not supported yet; this version reads URDF");
+    assert_snapshot!(fault_of("<mujoco model='arm'/>"), @"r.urdf:1:1: no URDF: the root element <mujoco> is that of an MJCF file");
+    assert_snapshot!(fault_of("<!-- world -->\n<sdf version='1.9'/>"), @"r.urdf:2:1: no URDF: the root element <sdf> is that of an SDF file");
     assert_snapshot!(fault_of("<html/>"), @"r.urdf:1:1: no URDF: the root element is <html>, expected <robot>");
     let xacro = r#"<robot name="r" xmlns:xacro="http://wiki.ros.org/xacro"><xacro:include/></robot>"#;
     assert_snapshot!(fault_of(xacro), @"r.urdf:1:57: <xacro:include> is a xacro macro; expand the file with xacro first");
-    assert_snapshot!(fault_of("<robot/>"), @"r.urdf:1:1: <robot> has no attribute 'name'");
+    assert_snapshot!(fault_of("<robot/>"), @"r.urdf:1:1: the model has no links");
     assert_snapshot!(fault_of("\n<robot name='r'/>"), @"r.urdf:2:1: the model has no links");
 }
 

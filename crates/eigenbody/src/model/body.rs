@@ -47,8 +47,8 @@ impl<T: Scalar> Body<T> {
         v0..v0 + self.joint.nv()
     }
 
-    /// From the parent's frame to the joint's frame.
-    pub(crate) fn tree_transform(&self) -> &Transform<T> {
+    /// From the parent's internal frame to the joint's frame, whose z is the axis.
+    pub fn tree_transform(&self) -> &Transform<T> {
         &self.X_tree
     }
 

@@ -37,7 +37,7 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
     let bodies = place_bodies(&nodes, &robot.joints, &slots, &inertias, &mut links);
     drop((nodes, inertias));
     let dofs = dof_tree(&bodies);
-    findings.extend(finding::of_bodies(&links, &bodies));
+    findings.extend(finding::of_bodies(&links, &bodies, &robot.frames));
 
     // The coordinates of a floating base, the last joint of the description, come first.
     let mut described: Vec<_> = slots.into_iter().zip((0..).map(JointId)).collect();

@@ -126,6 +126,8 @@ impl<T: Real> JointSpec<T> {
 pub struct ModelBuilder<T> {
     pub(super) name: String,
     pub(super) links: Vec<(Box<str>, RigidInertia<T>)>,
+    /// The links that only stand between two joints, ascending.
+    pub(super) frames: Vec<u32>,
     pub(super) joints: Vec<JointSpec<T>>,
     pub(super) gravity: Vec3<T>,
 }
@@ -134,7 +136,7 @@ impl<T: Real> ModelBuilder<T> {
     /// An empty description; gravity is 9.81 m/s² along −z.
     pub fn new(name: impl Into<String>) -> Self {
         let gravity = Vec3::from_f64([0.0, 0.0, -9.81]);
-        Self { name: name.into(), links: Vec::new(), joints: Vec::new(), gravity }
+        Self { name: name.into(), links: Vec::new(), frames: Vec::new(), joints: Vec::new(), gravity }
     }
 
     /// Makes room for so many links and joints more.
@@ -148,6 +150,13 @@ impl<T: Real> ModelBuilder<T> {
     pub fn link(&mut self, name: impl Into<Box<str>>, inertia: RigidInertia<T>) -> LinkId {
         self.links.push((name.into(), inertia));
         LinkId(self.links.len() as u32 - 1)
+    }
+
+    /// Adds a link without mass that stands between two joints of one body: that it has no mass is no finding.
+    pub fn frame(&mut self, name: impl Into<Box<str>>) -> LinkId {
+        let link = self.link(name, RigidInertia::ZERO);
+        self.frames.push(link.0);
+        link
     }
 
     /// Adds a joint. Joints may come in any order; coordinates follow it.

@@ -51,6 +51,12 @@ impl<T: Real> Coupling<T> {
         &self.independent_coordinates
     }
 
+    /// Coordinate k as (which of all coordinates it follows, multiplier, offset); an independent one follows itself.
+    pub fn follows(&self, k: usize) -> (usize, T, T) {
+        let Follow { source, multiplier, offset } = self.coordinates[k];
+        (self.independent_coordinates[source as usize], multiplier, offset)
+    }
+
     /// q = G p + g.
     pub fn expand(&self, p: &[T]) -> Vec<T> {
         self.coordinates.iter().map(|f| f.multiplier * p[f.source as usize] + f.offset).collect()

@@ -3,6 +3,7 @@
 use super::body::{Body, LinkInfo};
 use super::builder::{JointId, LinkId, ModelBuilder};
 use super::error::Place;
+use super::plausible::{self, Sized};
 use crate::scalar::Real;
 use crate::spatial::{RigidInertia, Sym3};
 use std::fmt;
@@ -35,6 +36,29 @@ pub enum Finding {
         /// Its name.
         name: String,
     },
+    /// A link's mass is spread wider than any robot is.
+    GyrationRadius {
+        /// The link.
+        link: LinkId,
+        /// Its name.
+        name: String,
+        /// Largest radius of gyration about the centre of mass (m).
+        radius: f64,
+    },
+    /// Half of the links or more are denser or thinner than any matter: masses in grams, or lengths in millimetres.
+    Units {
+        /// Median of mass over the volume that the inertia suggests (kg/m³).
+        density: f64,
+    },
+    /// A left and a right link with the same name but for the side have different masses or moments.
+    TwinDiffers {
+        /// The left link.
+        link: LinkId,
+        /// Its name.
+        name: String,
+        /// The right link's name.
+        twin: String,
+    },
     /// A mimic joint follows a joint that is not there or does not move: it is left free.
     MimicUnknown {
         /// The mimic joint.
@@ -52,7 +76,10 @@ impl Finding {
         match *self {
             Self::InertiaNotPositive { link, .. }
             | Self::TriangleInequality { link, .. }
-            | Self::ZeroMass { link, .. } => Place::Link(link),
+            | Self::ZeroMass { link, .. }
+            | Self::GyrationRadius { link, .. }
+            | Self::TwinDiffers { link, .. } => Place::Link(link),
+            Self::Units { .. } => Place::Model,
             Self::MimicUnknown { joint, .. } => Place::Joint(joint),
         }
     }
@@ -73,6 +100,19 @@ impl fmt::Display for Finding {
                     "inertia of link '{name}' is not physical: principal moments {a:.3e} + {b:.3e} < {c:.3e} kg m²"
                 )
             }
+            Self::GyrationRadius { name, radius, .. } => {
+                write!(f, "mass of link '{name}' is spread over {radius:.3e} m (radius of gyration)")
+            }
+            Self::Units { density } => {
+                let guess = if *density > 1.0 { "masses in grams" } else { "lengths in millimetres" };
+                write!(
+                    f,
+                    "links have a density of about {density:.1e} kg/m³: {guess}, where kg and m are expected?"
+                )
+            }
+            Self::TwinDiffers { name, twin, .. } => {
+                write!(f, "links '{name}' and '{twin}' have different masses or moments of inertia")
+            }
             Self::ZeroMass { name, .. } => write!(f, "moving link '{name}' has no mass"),
             Self::MimicUnknown { name, follows, .. } => {
                 write!(
@@ -86,7 +126,7 @@ impl fmt::Display for Finding {
 
 /// Findings on the links' inertias as given. A link without any inertia is a frame, not a fault.
 pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
-    let mut findings = Vec::new();
+    let (mut findings, mut plausible) = (Vec::new(), Vec::new());
     for (i, (name, inertia)) in robot.links.iter().enumerate() {
         if *inertia == RigidInertia::ZERO {
             continue;
@@ -94,6 +134,7 @@ pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
         let (link, name) = (LinkId(i as u32), || name.to_string());
         let principal = principal_moments(inertia);
         let [a, b, c] = principal;
+        plausible.push(Sized { link, mass: inertia.m.to_f64(), principal });
         // Files round inertias to a few digits; an excess within 1e-6 of the moments is rounding.
         if a <= 0.0 {
             findings.push(Finding::InertiaNotPositive { link, name: name(), principal });
@@ -101,12 +142,14 @@ pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
             findings.push(Finding::TriangleInequality { link, name: name(), principal });
         }
     }
+    findings.extend(plausible::of_sizes(&plausible, |link| &robot.links[link.index()].0));
     findings
 }
 
-/// Findings on the bodies as merged.
-pub(super) fn of_bodies<T: Real>(links: &[LinkInfo<T>], bodies: &[Body<T>]) -> Vec<Finding> {
-    let massless = bodies.iter().filter(|body| body.I.m.to_f64() == 0.0);
+/// Findings on the bodies as merged; `frames` are links that are meant to have no mass, ascending.
+pub(super) fn of_bodies<T: Real>(links: &[LinkInfo<T>], bodies: &[Body<T>], frames: &[u32]) -> Vec<Finding> {
+    let massless =
+        bodies.iter().filter(|body| body.I.m.to_f64() == 0.0 && frames.binary_search(&body.link).is_err());
     let finding = |body: &Body<T>| Finding::ZeroMass {
         link: LinkId(body.link),
         name: links[body.link()].name.to_string(),

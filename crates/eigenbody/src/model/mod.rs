@@ -10,6 +10,7 @@ mod coupling;
 mod dof_tree;
 mod error;
 mod finding;
+mod plausible;
 mod random;
 mod topology;
 

@@ -84,3 +84,44 @@ fn mimic_of_nothing() {
     assert_eq!(model.findings()[0].place(), Place::Joint(joint));
     assert!(model.coupling().is_none());
 }
+
+/// A chain of balls of this mass and radius of gyration.
+fn balls(names: &[&str], m: &[f64], radius: f64) -> Model<f64> {
+    let mut robot = ModelBuilder::new("test");
+    let mut last = robot.link("base", RigidInertia::ZERO);
+    for (name, &m) in names.iter().zip(m) {
+        let i = m * radius * radius;
+        let link = robot.link(*name, RigidInertia::from_com(m, Vec3::ZERO, Sym3::diagonal(i, i, i)));
+        robot.joint(JointSpec::new(*name, Joint::Revolute, last, link));
+        last = link;
+    }
+    robot.build(Base::Fixed).unwrap()
+}
+
+#[test]
+fn masses_in_grams_and_lengths_in_millimetres() {
+    assert_eq!(messages(&balls(&["a", "b", "c"], &[1.0; 3], 0.05)), Vec::<String>::new());
+    let expected = "links have a density of about 1.0e6 kg/m³: masses in grams, where kg and m are expected?";
+    assert_eq!(messages(&balls(&["a", "b", "c"], &[1000.0; 3], 0.05)), [expected]);
+    let expected =
+        "links have a density of about 1.0e-6 kg/m³: lengths in millimetres, where kg and m are expected?";
+    assert_eq!(messages(&balls(&["a", "b", "c"], &[1.0; 3], 50.0)), [expected]);
+}
+
+#[test]
+fn a_mass_spread_wider_than_any_robot() {
+    let model = balls(&["wide"], &[1.0], 30.0);
+    assert_eq!(messages(&model), ["mass of link 'wide' is spread over 3.000e1 m (radius of gyration)"]);
+}
+
+#[test]
+fn twins_that_differ() {
+    let names = ["left_leg", "right_leg", "l_arm", "r_arm"];
+    let model = balls(&names, &[1.0, 1.1, 2.0, 2.0], 0.1);
+    assert_eq!(
+        messages(&model),
+        ["links 'left_leg' and 'right_leg' have different masses or moments of inertia"]
+    );
+    let Place::Link(link) = model.findings()[0].place() else { panic!("{model:?}") };
+    assert_eq!(link.index(), 1);
+}

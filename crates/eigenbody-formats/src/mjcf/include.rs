@@ -1,0 +1,114 @@
+//! `<include>`: the elements of another file in its place.
+
+use super::fault::{Fault, MjcfFault, fault};
+use crate::file;
+use crate::location::Location;
+use crate::xml::{self, Element, Files, SourceFile, Spot};
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+/// Deepest nesting of included files.
+const MAX_DEPTH: usize = 50;
+
+/// Files being spliced into one tree.
+pub(super) struct Splicer<'a> {
+    pub files: &'a mut Files,
+    /// The folder of the main file: included files are looked for there first.
+    pub folder: PathBuf,
+    included: HashSet<PathBuf>,
+}
+
+impl<'a> Splicer<'a> {
+    /// Nothing included yet but the main file.
+    pub fn new(files: &'a mut Files, main: &Path) -> Self {
+        let folder = main.parent().map(Path::to_owned).unwrap_or_default();
+        Self { files, folder, included: HashSet::from([main.to_owned()]) }
+    }
+
+    /// The root of a text, with every include replaced by what it names.
+    pub fn root(&mut self, text: String, name: &str) -> Result<Element, Fault> {
+        let mut root = self.parse(text, name, &self.folder.clone())?;
+        self.splice(&mut root, 0, 0)?;
+        Ok(root)
+    }
+
+    fn parse(&mut self, text: String, name: &str, folder: &Path) -> Result<Element, Fault> {
+        let file = self.files.0.len() as u32;
+        let root = xml::parse(&text, file).map_err(|(at, problem)| {
+            fault(Spot { file, offset: offset_of(&text, at) }, MjcfFault::Xml(problem))
+        });
+        self.files.0.push(SourceFile { name: name.to_owned(), folder: folder.to_owned(), text });
+        root
+    }
+
+    /// Replaces the includes below an element, which stands so deep among elements and among files.
+    fn splice(&mut self, element: &mut Element, depth: usize, nesting: usize) -> Result<(), Fault> {
+        if depth > xml::MAX_DEPTH {
+            let limit = xml::MAX_DEPTH;
+            return Err(fault(element.at, MjcfFault::Xml(xml::XmlFault::TooDeep { limit })));
+        }
+        let has_include = element.children.iter().any(|c| c.tag == "include");
+        if !has_include {
+            return element.children.iter_mut().try_for_each(|c| self.splice(c, depth + 1, nesting));
+        }
+        for mut child in std::mem::take(&mut element.children) {
+            if child.tag == "include" {
+                element.children.extend(self.include(&child, depth, nesting)?);
+            } else {
+                self.splice(&mut child, depth + 1, nesting)?;
+                element.children.push(child);
+            }
+        }
+        Ok(())
+    }
+
+    /// The elements of the file that an include names, its own includes spliced.
+    fn include(&mut self, include: &Element, depth: usize, nesting: usize) -> Result<Vec<Element>, Fault> {
+        if nesting >= MAX_DEPTH {
+            return Err(fault(include.at, MjcfFault::IncludeDepth { limit: MAX_DEPTH }));
+        }
+        let Some(name) = include.get("file") else {
+            return Err(fault(
+                include.at,
+                MjcfFault::MissingAttribute { element: include.described(), name: "file" },
+            ));
+        };
+        let at = include.spot_of("file");
+        let here = self.files.0.get(include.at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
+        let candidates = [self.folder.join(name), here.join(name)];
+        let path = candidates.iter().find(|path| path.exists()).unwrap_or(&candidates[0]);
+        let known = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
+        if !self.included.insert(known) {
+            return Err(fault(at, MjcfFault::IncludedTwice { file: name.to_owned() }));
+        }
+        let bytes = file::contents(path)
+            .map_err(|problem| fault(at, MjcfFault::Include { file: name.to_owned(), fault: problem }))?;
+        let text = text(bytes, self.files.0.len() as u32, path, self.files)?;
+        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        let mut root = self.parse(text, &path.display().to_string(), &folder)?;
+        if root.children.is_empty() {
+            return Err(fault(at, MjcfFault::IncludedEmpty { file: name.to_owned() }));
+        }
+        self.splice(&mut root, depth, nesting + 1)?;
+        Ok(root.children)
+    }
+}
+
+/// The text of a file's bytes. Bytes that are no UTF-8 are a fault in that file, which is kept to be pointed into.
+pub(super) fn text(bytes: Vec<u8>, file: u32, path: &Path, files: &mut Files) -> Result<String, Fault> {
+    String::from_utf8(bytes).map_err(|error| {
+        let offset = error.utf8_error().valid_up_to();
+        let byte = error.as_bytes().get(offset).copied().unwrap_or_default();
+        let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        files.0.push(SourceFile { name: path.display().to_string(), folder, text });
+        fault(Spot { file, offset }, MjcfFault::Xml(xml::XmlFault::NotUtf8 { byte }))
+    })
+}
+
+/// The byte offset of a line and column.
+fn offset_of(text: &str, at: Location) -> usize {
+    let line = text.split_inclusive('\n').take(at.line as usize - 1).map(str::len).sum::<usize>();
+    let column = text[line..].char_indices().nth(at.column as usize - 1);
+    column.map_or(text.len(), |(k, _)| line + k)
+}

@@ -1,0 +1,26 @@
+//! `<pose>`: six numbers, position and roll-pitch-yaw, or seven with a quaternion.
+
+use super::fault::{Fault, child, numbers, value_fault};
+use crate::xml::Element;
+use eigenbody::spatial::{Mat3, Transform, Vec3};
+
+/// The pose of an element and what it says the pose is relative to.
+pub(super) fn pose(element: &Element) -> Result<(Transform<f64>, Option<&str>), Fault> {
+    let Some(pose) = child(element, "pose")? else { return Ok((Transform::IDENTITY, None)) };
+    let relative_to = pose.get("relative_to").or(pose.get("frame")).filter(|name| !name.is_empty());
+    let quaternion = pose.get("rotation_format") == Some("quat_xyzw");
+    let scale = if pose.get("degrees") == Some("true") { 1f64.to_radians() } else { 1.0 };
+    let E = match (numbers(pose)?.as_slice(), quaternion) {
+        ([], _) => return Ok((Transform::IDENTITY, relative_to)),
+        (&[x, y, z, roll, pitch, yaw], false) => {
+            let E = Mat3::rotation_rpy(roll * scale, pitch * scale, yaw * scale);
+            Transform::new(E, Vec3::new(x, y, z))
+        }
+        (&[x, y, z, i, j, k, w], true) if w * w + i * i + j * j + k * k > 1e-12 => {
+            Transform::new(Mat3::rotation_quaternion(w, Vec3::new(i, j, k)), Vec3::new(x, y, z))
+        }
+        (_, true) => return Err(value_fault(pose, &pose.text, "x y z and a quaternion x y z w")),
+        (_, false) => return Err(value_fault(pose, &pose.text, "x y z roll pitch yaw")),
+    };
+    Ok((E, relative_to))
+}

@@ -1,0 +1,113 @@
+//! What no rule of physics forbids and no robot has: sizes, units, unequal twins.
+
+use super::builder::LinkId;
+use super::finding::Finding;
+use std::collections::HashMap;
+
+/// A link's mass and principal moments about its centre of mass, ascending.
+pub(super) struct Sized {
+    pub link: LinkId,
+    pub mass: f64,
+    pub principal: [f64; 3],
+}
+
+/// Radii of gyration beyond this belong to no robot (m).
+const LARGEST_RADIUS: f64 = 20.0;
+
+/// Densities outside are no matter's (kg/m³): aerogel to osmium, with room for hollow and slender links.
+const DENSITIES: std::ops::Range<f64> = 1e-2..2e5;
+
+/// Twins may differ by this much of the larger: files round.
+const TWIN_TOLERANCE: f64 = 0.05;
+
+impl Sized {
+    /// Largest radius of gyration (m); none without mass.
+    fn radius(&self) -> Option<f64> {
+        let radius = (self.principal[2] / self.mass).sqrt();
+        (self.mass > 0.0 && radius > 0.0 && radius.is_finite()).then_some(radius)
+    }
+}
+
+/// Findings on the sizes of links.
+pub(super) fn of_sizes<'a>(links: &[Sized], name: impl Fn(LinkId) -> &'a str) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if let Some(density) = median_density(links).filter(|density| !DENSITIES.contains(density)) {
+        findings.push(Finding::Units { density });
+    } else {
+        for sized in links {
+            if let Some(radius) = sized.radius().filter(|&r| r > LARGEST_RADIUS) {
+                let link = sized.link;
+                findings.push(Finding::GyrationRadius { link, name: name(link).to_owned(), radius });
+            }
+        }
+    }
+    // Only links with a side are looked up.
+    let sided = links.iter().filter(|l| twin(name(l.link)).is_some() || is_right(name(l.link)));
+    let by_name: HashMap<&str, &Sized> = sided.map(|l| (name(l.link), l)).collect();
+    for sized in links {
+        let own = name(sized.link);
+        let other = twin(own).and_then(|twin| by_name.get_key_value(twin.as_str()));
+        if let Some((&twin, other)) = other
+            && differ(sized, other)
+        {
+            let (link, name, twin) = (sized.link, own.to_owned(), twin.to_owned());
+            findings.push(Finding::TwinDiffers { link, name, twin });
+        }
+    }
+    findings
+}
+
+/// Median of mass over the cube of twice the radius of gyration; none for fewer than three links with mass.
+fn median_density(links: &[Sized]) -> Option<f64> {
+    let density = |l: &Sized| l.radius().map(|r| l.mass / (8.0 * r * r * r));
+    let mut densities: Vec<f64> = links.iter().filter_map(density).collect();
+    densities.sort_by(f64::total_cmp);
+    (densities.len() >= 3).then(|| densities[densities.len() / 2])
+}
+
+/// Words for a side, left and right.
+const SIDES: [(&str, &str); 3] = [("left", "right"), ("Left", "Right"), ("LEFT", "RIGHT")];
+
+/// The right twin's name of a left link.
+fn twin(name: &str) -> Option<String> {
+    let word = SIDES.iter().find(|(left, _)| name.contains(left));
+    if let Some((left, right)) = word {
+        return Some(name.replacen(left, right, 1));
+    }
+    let letter = |from: &str, to: &str| {
+        let rest = |c: Option<char>| c.is_some_and(|c| c == '_');
+        if let Some(tail) = name.strip_prefix(from).filter(|tail| rest(tail.chars().next())) {
+            return Some(format!("{to}{tail}"));
+        }
+        let head = name.strip_suffix(from).filter(|head| rest(head.chars().last()))?;
+        Some(format!("{head}{to}"))
+    };
+    letter("l", "r").or_else(|| letter("L", "R"))
+}
+
+fn is_right(name: &str) -> bool {
+    SIDES.iter().any(|(_, right)| name.contains(right))
+        || ["r_", "R_"].iter().any(|side| name.starts_with(side))
+        || ["_r", "_R"].iter().any(|side| name.ends_with(side))
+}
+
+/// True if masses or moments differ by more than rounding.
+fn differ(a: &Sized, b: &Sized) -> bool {
+    let apart = |x: f64, y: f64| (x - y).abs() > TWIN_TOLERANCE * x.abs().max(y.abs());
+    apart(a.mass, b.mass) || apart(a.principal[2], b.principal[2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_twin_of_a_left_link() {
+        for (left, right) in
+            [("left_knee", "right_knee"), ("LeftFoot", "RightFoot"), ("l_arm", "r_arm"), ("hip_L", "hip_R")]
+        {
+            assert_eq!((twin(left).as_deref(), is_right(right)), (Some(right), true));
+        }
+        assert_eq!((twin("leg"), twin("roll_link"), twin("panda_link1")), (None, None, None));
+    }
+}
