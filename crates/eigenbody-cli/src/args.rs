@@ -136,7 +136,7 @@ pub struct ReproduceArgs {
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
 
-    /// Fewer points and smaller robots: seconds instead of a minute. Every claim is still tested.
+    /// Fewer points and smaller robots, for a first look. Every claim is still tested.
     #[arg(long)]
     pub quick: bool,
 

@@ -21,4 +21,4 @@ pub use number::significant;
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
 pub use spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
 pub use table::write_table_csv;
-pub use text::{Mode, modes};
+pub use text::{Mode, count, modes};

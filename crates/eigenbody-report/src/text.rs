@@ -158,7 +158,12 @@ fn block(Mode { title, mode }: &Mode<'_>) -> Vec<String> {
     lines
 }
 
-fn count(n: usize, one: &str, many: &str) -> String {
+/// A number of things, in words: `1 figure`, `2 figures`.
+///
+/// ```
+/// assert_eq!(eigenbody_report::count(1, "claim", "claims"), "1 claim");
+/// ```
+pub fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }
 

@@ -23,7 +23,7 @@ pub struct Estimates {
 ///
 /// Method: dense eigenproblem and elimination, O(n³); allocates. A value that does not exist, as for a singular H, is not a number.
 ///
-/// Errors: as [`conditioning`].
+/// Errors: as [`conditioning()`].
 ///
 /// ```
 /// use eigenbody::{Family, mass_matrix};

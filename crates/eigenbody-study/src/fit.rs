@@ -45,7 +45,7 @@ pub fn line(points: &[(f64, f64)]) -> Line {
     Line { slope, half_width, intercept }
 }
 
-/// [`line`] through (log10 x, log10 y) of the points with x in `from..=to`: the exponent of a power law.
+/// [`line()`] through (log10 x, log10 y) of the points with x in `from..=to`: the exponent of a power law.
 pub fn power(points: &[(f64, f64)], from: f64, to: f64) -> Line {
     let chosen: Vec<(f64, f64)> =
         points.iter().filter(|(x, _)| (from..=to).contains(x)).map(|(x, y)| (x.log10(), y.log10())).collect();

@@ -1,6 +1,6 @@
 //! Every claim of `data/claims.toml`, computed.
 
-use eigenbody_study::{CLAIMS, EXPERIMENTS, Lab, Reading, Verdict};
+use eigenbody_study::{CLAIMS, Check, EXPERIMENTS, Lab, Reading, Verdict};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -95,6 +95,20 @@ fn every_claim_holds() {
             assert!((c - e).abs() <= tolerance, "{}, number {k}: {c}, {e}", row.id);
         }
     }
+}
+
+/// One test out of bounds, a number that does not exist, no test at all, an unknown name: each is a failure.
+#[test]
+fn a_shape_can_fail() {
+    let verdict =
+        |found: f64| Reading::shape("F-fig6", vec![Check::within("slope", found, 3.9, 4.1)]).verdict;
+    assert_eq!(verdict(4.0), Verdict::ShapeHolds);
+    for found in [3.8, 4.2, f64::NAN] {
+        assert_eq!(verdict(found), Verdict::Fails, "{found}");
+    }
+    assert_eq!(Reading::shape("F-fig6", Vec::new()).verdict, Verdict::Fails);
+    assert_eq!(Reading::shape("F-fig66", vec![Check::truth("true", true)]).verdict, Verdict::Fails);
+    assert_eq!(Reading::new("F-eq1-kappa", Vec::new(), Vec::new()).verdict, Verdict::Fails);
 }
 
 /// What the paper rounds, and what its arithmetic spoiled, is told apart from what it has right.

@@ -45,6 +45,17 @@ fn adaptive_steps_keep_the_tolerance() {
     }
 }
 
+/// A first step that is far too long, an eighth of two seconds, is taken back.
+#[test]
+fn steps_that_are_too_long_are_rejected() {
+    let model = chain(4);
+    let whole = Schedule { span_s: 2.0, intervals: 1, ..SECOND };
+    let (one, many) = (run(&model, &whole), run(&model, &Schedule { intervals: 200, ..whole }));
+    // 10⁴ tolerances: how far neighbouring motions of four links part in two seconds
+    let error = apart(&one[1], &many[200]);
+    assert!(error < 1e4 * 1e-10, "{error:e}");
+}
+
 /// No actuator, no friction: energy is kept, to 1000 tolerances of what moves.
 #[test]
 fn energy_is_kept() {

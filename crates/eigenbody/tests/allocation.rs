@@ -3,9 +3,9 @@
 use crate::robots::{Case, plan};
 use allocation_counter::measure;
 use eigenbody::dynamics::{
-    AbaWorkspace, CrbaWorkspace, FloatingWorkspace, MomentumWorkspace, RneaWorkspace, bias_force_into,
-    energy_into, floating_mass_matrix_into, forward_dynamics_into, gravity_force_into, inverse_dynamics_into,
-    link_pose, mass_matrix_into, momentum_into,
+    AbaWorkspace, CrbaWorkspace, Denoc, FloatingWorkspace, MomentumWorkspace, RneaWorkspace, Udu,
+    bias_force_into, energy_into, floating_mass_matrix_into, forward_dynamics_into, gravity_force_into,
+    inverse_dynamics_into, link_pose, mass_matrix_into, momentum_into,
 };
 use eigenbody::factor::{Ltdl, Ltl};
 use eigenbody::scalar::{Dd, Real};
@@ -48,6 +48,13 @@ fn dynamics_allocate_nothing<T: Real>() {
 
         let mut crba = CrbaWorkspace::new(&model);
         assert_none("CRBA", || mass_matrix_into(&model, &q, &mut crba, &mut H).unwrap());
+        let mut denoc = Denoc::new(&model);
+        assert_none("DeNOC", || denoc.update(&q).unwrap());
+        assert_none("DeNOC matrix", || denoc.mass_matrix_into(&mut H).unwrap());
+        let mut udu = Udu::new(&denoc);
+        assert_none("UDUᵀ factor", || udu.factor(&denoc).unwrap());
+        assert_none("UDUᵀ solve", || udu.solve(&denoc, &mut out).unwrap());
+
         if model.has_floating_base() {
             let (mut reduced, mut room) =
                 (Matrix::zeros(nv - 6, nv - 6), FloatingWorkspace::new(&model).unwrap());

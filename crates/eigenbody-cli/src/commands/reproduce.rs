@@ -3,7 +3,7 @@
 use crate::args::ReproduceArgs;
 use crate::failure::Failure;
 use crate::output::{deliver, folder};
-use eigenbody_report::{Shown, claims_json, claims_text, figure, gallery, write_table_csv};
+use eigenbody_report::{Shown, claims_json, claims_text, count, figure, gallery, write_table_csv};
 use eigenbody_study::{Experiment, Lab, Outcome, Reading, Verdict, select};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -59,8 +59,9 @@ pub fn run(args: &ReproduceArgs) -> Result<bool, Failure> {
         }
         writeln!(
             out,
-            "{figures} figures, {} claims, {failed} failed: {}",
-            readings.len(),
+            "{}, {}, {failed} failed: {}",
+            count(figures, "figure", "figures"),
+            count(readings.len(), "claim", "claims"),
             args.output.join("index.html").display()
         )
     })?;

@@ -111,7 +111,14 @@ impl Range {
         for decade in first..=last {
             for &digit in digits.iter().filter(|_| decade.rem_euclid(every) == 0) {
                 if let Some(at) = self.inside(f64::from(decade) + digit.log10()) {
-                    words.push((at, if plain { written(digit, decade) } else { power(digit, decade) }));
+                    words.push((
+                        at,
+                        if plain || (digits.len() > 1 && (0..4).contains(&decade)) {
+                            written(digit, decade)
+                        } else {
+                            power(digit, decade)
+                        },
+                    ));
                 }
             }
             let finer = (2..=9)

@@ -228,7 +228,7 @@ pub fn shells(table: &Table, title: &str) -> String {
     let (x, y, z) = (column(table, "axis_x"), column(table, "axis_y"), column(table, "axis_z"));
     let mut scene = Scene::new(WIDTH, 430.0);
     let centre = (WIDTH * 0.5, 225.0);
-    let to = |p: [f64; 3], r: f64| oblique(p[0], p[1], p[2], r, centre);
+    let to = |p: [f64; 3], r: f64| (centre.0 + r * dot(p, RIGHT), centre.1 - r * dot(p, UP));
     for (k, radius) in (0..x.len()).map(|k| (k, 150.0 * 0.62f64.powi(k as i32))) {
         let colour = Style::nth(2 - k.min(1)).colour;
         scene.circle(centre, radius, "none", colour, 2.4);
@@ -271,15 +271,29 @@ pub fn shells(table: &Table, title: &str) -> String {
     scene.finish(title)
 }
 
+/// Where shells are seen from: unit vectors to the right, up and away on paper, 0.5 rad beside the y axis and 0.3 rad above.
+const RIGHT: [f64; 3] = [0.877_583, 0.479_426, 0.0];
+const UP: [f64; 3] = [-0.141_679, 0.259_343, 0.955_336];
+const AWAY: [f64; 3] = [-0.458_013, 0.838_387, -0.295_520];
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// 49 points of the unit circle across a unit vector, the half at the back first.
-fn circle_across([x, y, z]: [f64; 3]) -> Vec<[f64; 3]> {
-    let side = (x * x + z * z).sqrt().max(1e-12);
-    let u = [z / side, 0.0, -x / side];
-    let w = [y * u[2] - z * u[1], z * u[0] - x * u[2], x * u[1] - y * u[0]];
-    let back = if w[1] > 0.0 { 1.0 } else { -1.0 };
+fn circle_across(axis: [f64; 3]) -> Vec<[f64; 3]> {
+    let u = cross(axis, AWAY);
+    let length = dot(u, u).sqrt().max(1e-12);
+    let u = u.map(|x| x / length);
+    // u × axis points away from the viewer.
+    let w = cross(u, axis);
     let at = |k: i32| {
         let (s, c) = (PI * f64::from(k) / 24.0).sin_cos();
-        [0, 1, 2].map(|i| c * u[i] + back * s * w[i])
+        [0, 1, 2].map(|i| c * u[i] + s * w[i])
     };
     (0..=48).map(at).collect()
 }

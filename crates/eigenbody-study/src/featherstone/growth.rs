@@ -151,9 +151,9 @@ pub fn fig7(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 fn straightness(table: Table, name: &str) -> Outcome {
     let points = table.points("curve", name, "N", "kappa");
     let (last, kappa) = points.last().copied().unwrap_or((f64::NAN, f64::NAN));
-    let line = power(&points, 0.1 * last, last);
+    let line = power(&points, 0.01 * last, last);
     let remark = format!(
-        "{name}: slope {:.4} ± {:.4} over the last decade, κ = {kappa:.10e} at N = {last}.",
+        "{name}: slope {:.4} ± {:.4} over the last two decades, κ = {kappa:.10e} at N = {last}.",
         line.slope, line.half_width
     );
     Outcome::new(table, Vec::new()).remarking(remark)
