@@ -21,6 +21,8 @@ pub struct Args {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// What is wrong with a robot over all that its joints allow: the worst case, who is to blame, what to change.
+    Check(CheckArgs),
     /// κ, κ', the bracket, λmin, λmax and the softest and stiffest mode in one configuration.
     Spectrum(SpectrumArgs),
     /// The mass matrix H itself.
@@ -33,16 +35,12 @@ pub enum Command {
     Convert(ConvertArgs),
 }
 
-/// Which robot, in which configuration.
+/// Which robot.
 #[derive(Debug, clap::Args)]
-pub struct RobotArgs {
+pub struct ModelArgs {
     /// A URDF, MJCF or SDF file, `puma560`, or a family: 'hydra(40,1,0,1)', 'onion(33,1.125,0,1)', 'chain(4, m=2.2, l=1)',
     /// 'auto_tree(12,1.5,0.3,0.9)'.
     pub model: String,
-
-    /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
-    #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
-    pub at: String,
 
     /// What carries the root link. A family on a floating base loses its first joint and is studied free-floating.
     #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
@@ -59,6 +57,18 @@ pub struct RobotArgs {
     /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
     #[arg(long, value_name = "R")]
     pub size_ratio: Option<Dd>,
+}
+
+/// Which robot, in which configuration.
+#[derive(Debug, clap::Args)]
+pub struct RobotArgs {
+    /// The robot.
+    #[command(flatten)]
+    pub model: ModelArgs,
+
+    /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
+    #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
+    pub at: String,
 }
 
 /// `eigenbody spectrum`.
@@ -119,6 +129,70 @@ pub struct MatrixArgs {
     /// Write to a file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// `eigenbody check`.
+#[derive(Debug, clap::Args)]
+pub struct CheckArgs {
+    /// The robot.
+    #[command(flatten)]
+    pub model: ModelArgs,
+
+    /// What counts as a unit of motion for κ and λmin: euclidean, or length=L (L metres count as a radian).
+    #[arg(long, default_value = "euclidean")]
+    pub metric: String,
+
+    /// Configurations sampled before the search for the worst, at most 65536.
+    #[arg(long, value_name = "N", default_value_t = 2048, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: u32,
+
+    /// Another seed, other samples.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+
+    /// A finding if κ' exceeds this anywhere: what solves in double precision feel.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub max_kappa_weighted: Option<f64>,
+
+    /// A finding if κ exceeds this anywhere: what gains and explicit steps feel.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub max_kappa: Option<f64>,
+
+    /// Digits that single precision must keep of an acceleration.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub f32_digits: Option<f64>,
+
+    /// The least severe finding for exit status 1.
+    #[arg(long, value_enum, default_value_t = FailOn::Warning)]
+    pub fail_on: FailOn,
+
+    /// A page for people, or JSON.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
+    pub format: CheckFormat,
+
+    /// Write to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// `--fail-on`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FailOn {
+    /// Any warning or error.
+    Warning,
+    /// Errors only.
+    Error,
+    /// Nothing: always 0, but for status 2.
+    Never,
+}
+
+/// `--format`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CheckFormat {
+    /// A page for the terminal.
+    Human,
+    /// JSON, floats that parse back to the same bits.
+    Json,
 }
 
 /// `eigenbody reproduce`.

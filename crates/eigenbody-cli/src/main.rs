@@ -1,6 +1,6 @@
 //! The `eigenbody` command: how well-conditioned is this robot?
 //!
-//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 1 a claim that is not reproduced, 2 error. An error is one line; on a
+//! Data goes to stdout, talk to stderr. Exit status: 0 ok, 1 findings or a claim that is not reproduced, 2 error. An error is one line; on a
 //! terminal, with the line of the file that it is about.
 
 #![forbid(unsafe_code)]
@@ -22,6 +22,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let result = match &args.command {
         None => commands::welcome::run().map(|()| true),
+        Some(Command::Check(check)) => commands::check::run(check),
         Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum).map(|()| true),
         Some(Command::Matrix(matrix)) => commands::matrix::run(matrix).map(|()| true),
         Some(Command::Reproduce(reproduce)) => commands::reproduce::run(reproduce),

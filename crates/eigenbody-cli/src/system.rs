@@ -1,6 +1,6 @@
 //! From the command line to a robot in a configuration, with the degrees of freedom to study.
 
-use crate::args::{BaseArg, RobotArgs, Switch};
+use crate::args::{BaseArg, ModelArgs, RobotArgs, Switch};
 use crate::failure::Failure;
 use eigenbody::{Base, Matrix, Model, Reduction};
 use eigenbody_formats::{LoadOptions, Loaded, load};
@@ -27,23 +27,29 @@ pub fn open(model: &str, base: BaseArg) -> Result<Loaded, Failure> {
     Ok(load(model, &LoadOptions { base, size_ratio: None })?)
 }
 
+/// The robot that arguments name, and the degrees of freedom of its study.
+pub fn robot(args: &ModelArgs) -> Result<(Loaded, Reduction), Failure> {
+    let base = match args.base {
+        BaseArg::Fixed => Base::Fixed,
+        BaseArg::Floating => Base::Floating,
+    };
+    let loaded = load(&args.model, &LoadOptions { base, size_ratio: args.size_ratio })?;
+    if args.reduced && base == Base::Fixed {
+        return Err(Failure::Usage("--reduced removes a floating base: add --base floating".into()));
+    }
+    let reduction = Reduction {
+        mimic: args.mimic.map_or(loaded.mimic, |switch| switch == Switch::On),
+        base: base == Base::Floating && (args.reduced || loaded.is_family()),
+    };
+    Ok((loaded, reduction))
+}
+
 impl System {
     /// Reads what the arguments name.
     pub fn open(args: &RobotArgs) -> Result<Self, Failure> {
-        let base = match args.base {
-            BaseArg::Fixed => Base::Fixed,
-            BaseArg::Floating => Base::Floating,
-        };
-        let loaded = load(&args.model, &LoadOptions { base, size_ratio: args.size_ratio })?;
-        if args.reduced && base == Base::Fixed {
-            return Err(Failure::Usage("--reduced removes a floating base: add --base floating".into()));
-        }
-        let reduction = Reduction {
-            mimic: args.mimic.map_or(loaded.mimic, |switch| switch == Switch::On),
-            base: base == Base::Floating && (args.reduced || loaded.is_family()),
-        };
+        let (loaded, reduction) = robot(&args.model)?;
         let q = loaded.configuration(&args.at, reduction.mimic)?;
-        Ok(Self { loaded, reduction, q, name: args.model.clone(), at: args.at.clone() })
+        Ok(Self { loaded, reduction, q, name: args.model.model.clone(), at: args.at.clone() })
     }
 
     /// The robot.

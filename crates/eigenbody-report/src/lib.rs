@@ -4,6 +4,7 @@
 
 #![forbid(unsafe_code)]
 
+mod diagnosis;
 mod excerpt;
 pub mod figure;
 mod info;
@@ -14,6 +15,7 @@ mod spectrum;
 mod table;
 mod text;
 
+pub use diagnosis::{DiagnosisReport, diagnosis_text};
 pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;

@@ -7,6 +7,7 @@
 
 mod claims;
 mod corrupted;
+mod diagnosis;
 mod estimators;
 mod experiment;
 mod fit;

@@ -1,5 +1,6 @@
 //! One file a command.
 
+pub mod check;
 pub mod convert;
 pub mod info;
 pub mod matrix;

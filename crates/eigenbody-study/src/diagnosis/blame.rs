@@ -4,7 +4,7 @@
 //! share of DoF d in a mode       B_dd x_d², xᵀBx = 1
 //! share of body i in its energy  v_i·I_i v_i / λ: ∂log λ/∂log(mass and inertia of i)
 //! light tip                      one joint has nearly all of the mode: what it carries is light
-//! alignment                      two joints turn against each other about nearly the same axis: what is between them is light
+//! opposition                     two joints, near ±0.71 each in their own units, move the same mass the same way and cancel
 //! ```
 
 use crate::StudyError;
@@ -14,8 +14,8 @@ use eigenbody::{Metric, Model, Reduction, conditioning_at};
 
 /// Part of one joint above which a mode is its own.
 const ALONE: f64 = 0.9;
-/// Cosine of the angle within which two axes are nearly the same.
-const ALIGNED: f64 = 0.985;
+/// Least part of each of two joints that cancel.
+const EITHER: f64 = 0.2;
 
 /// A name and its part in a whole.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,14 +47,15 @@ pub enum Mechanism {
         /// The link that has most of the little.
         link: String,
     },
-    /// Two joints turn against each other about nearly the same axis, with little between them.
-    Alignment {
+    /// Two joints on one path move the same mass the same way and cancel: only near some configurations.
+    Opposition {
         /// The joints, the one nearer to the base first.
         joints: [String; 2],
-        /// Angle between the axes (rad).
+        /// Angle between their axes (rad): near zero, they turn about the same line and what is between is light; else what they carry
+        /// is nearly a point to them.
         angle: f64,
-        /// The links between.
-        between: Vec<String>,
+        /// The links from the first to the last that they move.
+        links: Vec<String>,
     },
     /// Many joints together.
     Spread,
@@ -141,9 +142,9 @@ fn mechanism(
     places: &[usize],
     carriers: &[Part],
 ) -> Result<Mechanism, StudyError> {
-    let aligned = aligned(model, q, dofs, places)?;
-    Ok(match (aligned, dofs) {
-        (Some(alignment), _) => alignment,
+    let opposed = opposed(model, q, dofs, places)?;
+    Ok(match (opposed, dofs) {
+        (Some(opposition), _) => opposition,
         (None, [first, ..]) if first.share >= ALONE => Mechanism::LightTip {
             joint: first.name.clone(),
             link: carriers.first().map_or_else(String::new, |part| part.name.clone()),
@@ -152,33 +153,30 @@ fn mechanism(
     })
 }
 
-/// The two joints that have the mode between them, if they turn about nearly the same axis with one on the path of the other.
-fn aligned(
+/// The two joints that have the mode between them, if one is on the path of the other.
+fn opposed(
     model: &Model<f64>,
     q: &[f64],
     dofs: &[Part],
     places: &[usize],
 ) -> Result<Option<Mechanism>, StudyError> {
     let [first, second, ..] = dofs else { return Ok(None) };
-    if first.share + second.share < ALONE || second.share < 0.05 {
+    if first.share + second.share < ALONE || second.share < EITHER {
         return Ok(None);
     }
     let body_of = |d: usize| model.bodies().iter().position(|body| body.dofs().contains(&d));
     let (Some(a), Some(b)) = (body_of(places[0]), body_of(places[1])) else { return Ok(None) };
     let ((near, near_dof), (far, far_dof)) = if a < b { ((a, 0), (b, 1)) } else { ((b, 1), (a, 0)) };
     let axes = axes(model, q)?;
-    let cosine = axes[places[0]].ang.dot(axes[places[1]].ang);
-    if cosine.abs() < ALIGNED {
-        return Ok(None);
-    }
-    let mut between = Vec::new();
-    let mut body = model.bodies()[far].parent();
+    let cosine = axes[places[0]].ang.dot(axes[places[1]].ang).abs().min(1.0);
+    let mut links = Vec::new();
+    let mut body = Some(far);
     while let Some(i) = body {
-        between.push(model.links()[model.bodies()[i].link()].name().to_owned());
+        links.push(model.links()[model.bodies()[i].link()].name().to_owned());
         if i == near {
-            between.reverse();
+            links.reverse();
             let joints = [near_dof, far_dof].map(|k| dofs[k].name.clone());
-            return Ok(Some(Mechanism::Alignment { joints, angle: cosine.abs().min(1.0).acos(), between }));
+            return Ok(Some(Mechanism::Opposition { joints, angle: cosine.acos(), links }));
         }
         body = model.bodies()[i].parent();
     }

@@ -40,16 +40,16 @@ pub struct Digits {
 }
 
 impl Digits {
-    /// Digits that the best measured way keeps in f32.
+    /// Digits that the worst measured way keeps in f32: which one a simulator takes is not known.
     pub fn left_in_f32(&self) -> f64 {
-        let least = self.measured.iter().map(|loss| loss.f32).fold(f64::INFINITY, f64::min);
-        (F32_DIGITS - least).max(0.0)
+        let most = self.measured.iter().map(|loss| loss.f32).fold(0.0, f64::max);
+        (F32_DIGITS - most).max(0.0)
     }
 
-    /// Digits that the best measured way keeps in f64.
+    /// Digits that the worst measured way keeps in f64.
     pub fn left_in_f64(&self) -> f64 {
-        let least = self.measured.iter().map(|loss| loss.f64).fold(f64::INFINITY, f64::min);
-        (F64_DIGITS - least).max(0.0)
+        let most = self.measured.iter().map(|loss| loss.f64).fold(0.0, f64::max);
+        (F64_DIGITS - most).max(0.0)
     }
 }
 

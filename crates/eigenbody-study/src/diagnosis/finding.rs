@@ -66,32 +66,34 @@ pub struct Finding {
 }
 
 pub(super) fn findings(found: &Diagnosis, limits: &Limits) -> Vec<Finding> {
-    let mut findings: Vec<Finding> = found
-        .null_motions
-        .iter()
-        .map(|motion| Finding {
+    // What holds everywhere need not be said again of the worst configuration.
+    if !found.null_motions.is_empty() {
+        let mut joints = Vec::new();
+        for (name, _) in found.null_motions.iter().flat_map(|motion| &motion.rates) {
+            if !joints.contains(name) {
+                joints.push(name.clone());
+            }
+        }
+        return vec![Finding {
             id: "moves-no-mass",
             severity: Severity::Error,
             endangers: Use::Everything,
-            value: 0.0,
+            value: found.null_motions.len() as f64,
             limit: 0.0,
-            joints: motion.rates.iter().map(|(name, _)| name.clone()).collect(),
+            joints,
             at: Vec::new(),
             mechanism: None,
-        })
-        .collect();
-    // What holds everywhere need not be said again of the worst configuration.
-    if !findings.is_empty() {
-        return findings;
+        }];
     }
+    let mut findings = Vec::new();
     if let Some(worst) = found.by(Measure::KappaWeighted) {
         if worst.spread.worst > limits.kappa_weighted {
             let finding = at(worst, "solves", Use::Solves, worst.spread.worst, limits.kappa_weighted);
             findings.push(finding);
         }
-        if let Some(left) = found.digits.as_ref().map(super::Digits::left_in_f32)
-            && left < limits.f32_digits
-        {
+        // Where H is singular there is nothing to measure, and nothing left.
+        let left = found.digits.as_ref().map_or(0.0, super::Digits::left_in_f32);
+        if left < limits.f32_digits {
             findings.push(at(worst, "single-precision", Use::SinglePrecision, left, limits.f32_digits));
         }
     }

@@ -89,6 +89,26 @@ impl<'m> Evaluator<'m> {
         })
     }
 
+    /// A measure at q with all the care there is: infinite κ or κ′, or zero λmin, where the error estimate says that nothing is known.
+    ///
+    /// Method: [`conditioning_at`]; [`values`](Self::values) counts alone and does not ask what its counts are worth.
+    ///
+    /// Errors: as [`values`](Self::values).
+    pub fn measure(&self, q: &[f64], measure: Measure) -> Result<f64, Error> {
+        let own_units = measure == Measure::KappaWeighted;
+        let metric = if own_units { Metric::UnitDiagonal } else { self.metric.clone() };
+        let question = Question { precision: Precision::Auto, ..self.question(metric) };
+        let verdict = match conditioning_at(self.model, q, &question) {
+            Ok(verdict) => verdict,
+            Err(Error::Input(InputError::NotPositive { .. })) if own_units => return Ok(f64::INFINITY),
+            Err(error) => return Err(error),
+        };
+        Ok(match measure {
+            Measure::LambdaMin => verdict.lambda_min.unwrap_or(0.0),
+            Measure::Kappa | Measure::KappaWeighted => verdict.kappa.unwrap_or(f64::INFINITY),
+        })
+    }
+
     /// [`Values::cost`] of a measure at q, and its gradient along the independent DoFs, a floating base's included (as zeros).
     ///
     /// None where λmin is not resolved. Errors: as [`values`](Self::values).

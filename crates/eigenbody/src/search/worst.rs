@@ -168,7 +168,7 @@ fn worst(
         _ => &best_sample.0,
     };
     let q = domain.configuration(at);
-    let worst = evaluator.clone().values(&q)?.of(measure);
+    let worst = evaluator.measure(&q, measure)?;
     let middle = |part: f64| {
         let place = ((samples.len() - 1) as f64 * part).round() as usize;
         samples[order[place]].1.of(measure)

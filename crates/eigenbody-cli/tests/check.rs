@@ -1,0 +1,51 @@
+use crate::run::{Scratch, failure, json, run, stdout};
+
+/// A neck whose first and last axis align at roll = 0, with nothing between.
+const NECK: &str = r#"<robot name="neck">
+<link name="base"/><link name="first"/><link name="second"/>
+<link name="head"><inertial><origin xyz="0.2 0 0.1"/><mass value="1"/>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.025"/></inertial></link>
+<joint name="yaw" type="continuous"><parent link="base"/><child link="first"/><axis xyz="0 0 1"/></joint>
+<joint name="roll" type="continuous"><parent link="first"/><child link="second"/><axis xyz="1 0 0"/></joint>
+<joint name="twist" type="continuous"><parent link="second"/><child link="head"/><axis xyz="0 0 1"/></joint>
+</robot>"#;
+
+#[test]
+fn a_clean_bill_of_health() {
+    let page = stdout(&["check", "puma560", "--samples", "64"]);
+    assert!(page.contains("Nothing found"), "{page}");
+    assert!(page.lines().count() <= 10, "{page}");
+}
+
+#[test]
+fn findings_end_with_status_1_and_fit_one_screen() {
+    let scratch = Scratch::new();
+    let path = scratch.file("neck.urdf", NECK);
+    let output = run(&["check", &path, "--samples", "128"]);
+    assert_eq!(output.status.code(), Some(1));
+    let page = String::from_utf8(output.stdout).unwrap();
+    assert!(page.lines().count() <= 40 && page.lines().all(|line| line.chars().count() <= 100), "{page}");
+    for words in ["warning[solves]", "'yaw' and 'twist' turn about nearly the same line", "help:"] {
+        assert!(page.contains(words), "{words}: {page}");
+    }
+    assert_eq!(run(&["check", &path, "--samples", "64", "--fail-on", "error"]).status.code(), Some(0));
+}
+
+#[test]
+fn json_says_where() {
+    let report = json(&["check", "hydra(5,1,0,1)", "--samples", "64", "--format", "json"]);
+    let worst = &report["worst"][0];
+    assert_eq!(worst["measure"], "kappa");
+    let q: Vec<f64> = worst["q"].as_array().unwrap().iter().map(|q| q.as_f64().unwrap()).collect();
+    let at = format!("q={q:?}");
+    let there = json(&["spectrum", "hydra(5,1,0,1)", "--at", &at, "--json"]);
+    let (found, again) = (worst["worst"].as_f64().unwrap(), there["kappa"].as_f64().unwrap());
+    assert!((found / again - 1.0).abs() < 1e-12, "{found} {again}");
+}
+
+#[test]
+fn bad_input() {
+    insta::assert_snapshot!(failure(&["check", "puma560", "--max-kappa", "-1"]), @"error: --max-kappa -1: expected a positive number");
+    insta::assert_snapshot!(failure(&["check", "no/such/robot.urdf"]), @"error: no/such/robot.urdf: no such file");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--metric", "diagonal=[1]"]), @"error: puma560: B has 1 numbers, expected 6");
+}
