@@ -53,6 +53,16 @@ pub struct Keyframe {
 pub enum Note {
     /// The robot has no name; it is named after its file.
     NoName,
+    /// An inertial without mass.
+    NoMass {
+        /// The link's name.
+        link: String,
+    },
+    /// An inertial with mass and without a complete inertia.
+    PointMass {
+        /// The link's name.
+        link: String,
+    },
     /// A rotor's inertia that was not asked for.
     Rotor {
         /// The joint's name.
@@ -84,6 +94,15 @@ impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoName => f.write_str("<robot> has no attribute 'name'; it is named after its file"),
+            Self::NoMass { link } => {
+                write!(f, "<inertial> of link '{link}' has no <mass>: it counts for nothing")
+            }
+            Self::PointMass { link } => {
+                write!(
+                    f,
+                    "<inertial> of link '{link}' has no <inertia> of six entries: its mass counts as a point"
+                )
+            }
             Self::Rotor { joint } => {
                 write!(f, "the rotor of joint '{joint}' has inertia: H is without it; --rotors on adds it")
             }

@@ -62,6 +62,9 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         fault: Box::new(fault),
     };
     // No document type declarations: no entities to expand.
+    // Prefixes that nobody declared are part of the names, as to a parser that knows no namespaces.
+    let declared = crate::xml::undeclared(text);
+    let text = declared.as_ref();
     let xml = Document::parse_with_options(text, ParsingOptions { allow_dtd: false, ..Default::default() })
         .map_err(|error| {
         let at = error.pos();
@@ -89,6 +92,10 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         (file_name.to_owned(), at, Note::Rotor { joint: rotor.joint.clone() })
     });
     notes.extend(noted);
+    notes.extend(offsets.notes.into_iter().map(|(offset, note)| {
+        let at = Location::at(text.as_bytes(), offset);
+        (file_name.to_owned(), at, note)
+    }));
     let rotors = rotors.into_iter().map(|(rotor, _)| rotor).collect();
     let kind = Kind::File(file_name.into());
     Ok(Loaded { notes, rotors, ..Loaded::new(model, file_name.to_owned(), kind, places) })
@@ -99,6 +106,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
 struct Offsets {
     links: Vec<usize>,
     joints: Vec<usize>,
+    notes: Vec<(usize, Note)>,
 }
 
 fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, Offsets), Fault> {
@@ -108,7 +116,9 @@ fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, 
     let mut links: HashMap<&str, LinkId> = HashMap::new();
     for element in robot.children("link") {
         let name = element.attribute("name")?;
-        let id = builder.link(name, link::inertia(element)?);
+        let (inertia, note) = link::inertia(element)?;
+        let id = builder.link(name, inertia);
+        offsets.notes.extend(note.map(|note| (element.offset(), note)));
         // Of two links with one name either will do: the builder refuses them.
         links.insert(name, id);
         offsets.links.push(element.offset());
