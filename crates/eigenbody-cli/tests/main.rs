@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod bad_input;
+mod formats;
 mod matrix;
 mod run;
 mod spectrum;

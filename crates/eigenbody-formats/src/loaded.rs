@@ -53,6 +53,15 @@ pub struct Keyframe {
 pub enum Note {
     /// The robot has no name; it is named after its file.
     NoName,
+    /// A lower limit above the upper one.
+    CrossedLimits {
+        /// The joint's name.
+        joint: String,
+        /// Lower limit.
+        lower: f64,
+        /// Upper limit.
+        upper: f64,
+    },
     /// An inertial without mass.
     NoMass {
         /// The link's name.
@@ -94,6 +103,12 @@ impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoName => f.write_str("<robot> has no attribute 'name'; it is named after its file"),
+            Self::CrossedLimits { joint, lower, upper } => {
+                write!(
+                    f,
+                    "joint '{joint}' has lower limit {lower} above upper limit {upper}: taken as unlimited"
+                )
+            }
             Self::NoMass { link } => {
                 write!(f, "<inertial> of link '{link}' has no <mass>: it counts for nothing")
             }

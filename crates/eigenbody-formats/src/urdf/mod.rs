@@ -62,9 +62,8 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         fault: Box::new(fault),
     };
     // No document type declarations: no entities to expand.
-    // Prefixes that nobody declared are part of the names, as to a parser that knows no namespaces.
-    let declared = crate::xml::undeclared(text);
-    let text = declared.as_ref();
+    let whole = crate::xml::lenient(text);
+    let text = whole.as_ref();
     let xml = Document::parse_with_options(text, ParsingOptions { allow_dtd: false, ..Default::default() })
         .map_err(|error| {
         let at = error.pos();
@@ -128,7 +127,12 @@ fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, 
         None => Err(did_you_mean(name, links.keys().copied())),
     };
     for element in robot.children("joint") {
-        builder.joint(joint::read(element, find)?);
+        let mut spec = joint::read(element, find)?;
+        if let Some((lower, upper)) = spec.limits.take_if(|(lower, upper)| *lower > *upper) {
+            let joint = spec.name.clone();
+            offsets.notes.push((element.offset(), Note::CrossedLimits { joint, lower, upper }));
+        }
+        builder.joint(spec);
         offsets.joints.push(element.offset());
     }
     match builder.build(base) {

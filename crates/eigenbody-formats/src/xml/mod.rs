@@ -2,12 +2,12 @@
 //!
 //! URDF borrows its document; MJCF splices files into one another and copies subtrees, so its elements own what they hold.
 
+mod lenient;
 mod parse;
-mod prefix;
 
+pub(crate) use lenient::lenient;
 pub use parse::XmlFault;
 pub(crate) use parse::parse;
-pub(crate) use prefix::undeclared;
 
 use crate::error::shortened;
 use crate::location::Location;

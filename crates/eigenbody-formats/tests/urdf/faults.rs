@@ -106,7 +106,6 @@ fn numbers_that_no_robot_has() {
     assert_snapshot!(inertial(&format!("<mass value='-1'/>{INERTIA}")), @"r.urdf:2:1: link 'a' has mass -1, expected zero or more (kg)");
     assert_snapshot!(inertial(&format!("<origin xyz='1e200 0 0'/>{MASS}{INERTIA}")), @"r.urdf:2:1: inertia of link 'a' is not a finite number");
     assert_snapshot!(joint("revolute", "<axis xyz='0 0 0'/>"), @"r.urdf:2:33: joint 'j' has axis 0 0 0, expected a direction");
-    assert_snapshot!(joint("prismatic", "<limit lower='2' upper='1'/>"), @"r.urdf:2:33: joint 'j' has lower limit 2 above upper limit 1");
 }
 
 #[test]
@@ -174,6 +173,15 @@ fn inertials_that_are_not_whole_are_noted() {
     assert_snapshot!(notes(INERTIA), @"r.urdf:1:17: warning: <inertial> of link 'a' has no <mass>: it counts for nothing");
     assert_snapshot!(notes(MASS), @"r.urdf:1:17: warning: <inertial> of link 'a' has no <inertia> of six entries: its mass counts as a point");
     assert_snapshot!(notes(&format!("{MASS}{}", INERTIA.replace(r#"iyz="0""#, ""))), @"r.urdf:1:17: warning: <inertial> of link 'a' has no <inertia> of six entries: its mass counts as a point");
+}
+
+#[test]
+fn crossed_limits_are_no_limits() {
+    let text = "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'>
+        <parent link='a'/><child link='b'/><limit lower='2' upper='1'/></joint></robot>";
+    let loaded = read_urdf_str(text, "r.urdf", &UrdfOptions::default()).unwrap();
+    assert_eq!(loaded.model.joints()[0].limits(), None);
+    assert_snapshot!(loaded.findings().last().unwrap(), @"r.urdf:1:49: warning: joint 'j' has lower limit 2 above upper limit 1: taken as unlimited");
 }
 
 #[test]
