@@ -181,7 +181,6 @@ impl<'a> Parts<'a> {
                     self.model(element, &inner, false, fixed, files)?;
                     continue;
                 }
-                "gripper" | "plugin" => continue,
                 _ => continue,
             };
             let at = (X, relative_to.unwrap_or_default());

@@ -97,7 +97,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
     }));
     let rotors = rotors.into_iter().map(|(rotor, _)| rotor).collect();
     let kind = Kind::File(file_name.into());
-    Ok(Loaded { notes, rotors, ..Loaded::new(model, file_name.to_owned(), kind, places) })
+    Ok(Loaded { rotors, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.
