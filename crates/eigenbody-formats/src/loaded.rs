@@ -92,7 +92,7 @@ pub enum Note {
         /// The element.
         element: String,
     },
-    /// A body outside <worldbody>, which MuJoCo passes over.
+    /// A body outside `<worldbody>`, which MuJoCo passes over.
     OutsideWorld {
         /// The element.
         element: String,
