@@ -54,6 +54,10 @@ pub struct ModelArgs {
     #[arg(long, value_enum, value_name = "on|off")]
     pub mimic: Option<Switch>,
 
+    /// Rotor inertia that a URDF file gives in <transmission> is added to the joints (on) or not (off).
+    #[arg(long, value_enum, value_name = "on|off", default_value_t = Switch::Off)]
+    pub rotors: Switch,
+
     /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
     #[arg(long, value_name = "R")]
     pub size_ratio: Option<Dd>,

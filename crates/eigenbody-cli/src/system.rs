@@ -34,6 +34,7 @@ pub fn robot(args: &ModelArgs) -> Result<(Loaded, Reduction), Failure> {
         BaseArg::Floating => Base::Floating,
     };
     let loaded = load(&args.model, &LoadOptions { base, size_ratio: args.size_ratio })?;
+    let loaded = if args.rotors == Switch::On { loaded.with_rotors()? } else { loaded };
     if args.reduced && base == Base::Fixed {
         return Err(Failure::Usage("--reduced removes a floating base: add --base floating".into()));
     }

@@ -5,6 +5,7 @@
 
 mod bad_input;
 mod check;
+mod formats;
 mod matrix;
 mod reproduce;
 mod run;

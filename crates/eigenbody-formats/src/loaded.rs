@@ -3,6 +3,7 @@
 use crate::configuration::configuration;
 use crate::error::{FormatError, OneLine};
 use crate::location::Location;
+use crate::urdf::Rotor;
 use eigenbody::model::{Finding, Place};
 use eigenbody::{Family, Model};
 use std::fmt;
@@ -20,6 +21,8 @@ pub struct Loaded {
     /// True if joints that follow others do so unless asked otherwise: URDF's mimic joints. False for MJCF, whose equalities
     /// are no part of MuJoCo's mass matrix.
     pub mimic: bool,
+    /// Rotor inertias that the file gives; [`with_rotors`](Self::with_rotors) adds them.
+    pub rotors: Vec<Rotor>,
     pub(crate) keyframes: Vec<Keyframe>,
     pub(crate) notes: Vec<(String, Location, Note)>,
     pub(crate) places: Places,
@@ -50,6 +53,30 @@ pub struct Keyframe {
 pub enum Note {
     /// The robot has no name; it is named after its file.
     NoName,
+    /// A lower limit above the upper one.
+    CrossedLimits {
+        /// The joint's name.
+        joint: String,
+        /// Lower limit.
+        lower: f64,
+        /// Upper limit.
+        upper: f64,
+    },
+    /// An inertial without mass.
+    NoMass {
+        /// The link's name.
+        link: String,
+    },
+    /// An inertial with mass and without a complete inertia.
+    PointMass {
+        /// The link's name.
+        link: String,
+    },
+    /// A rotor's inertia that was not asked for.
+    Rotor {
+        /// The joint's name.
+        joint: String,
+    },
     /// Two bodies are fastened to each other across the tree.
     Loop {
         /// The element.
@@ -65,7 +92,7 @@ pub enum Note {
         /// The element.
         element: String,
     },
-    /// A body outside <worldbody>, which MuJoCo passes over.
+    /// A body outside `<worldbody>`, which MuJoCo passes over.
     OutsideWorld {
         /// The element.
         element: String,
@@ -76,6 +103,24 @@ impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoName => f.write_str("<robot> has no attribute 'name'; it is named after its file"),
+            Self::CrossedLimits { joint, lower, upper } => {
+                write!(
+                    f,
+                    "joint '{joint}' has lower limit {lower} above upper limit {upper}: taken as unlimited"
+                )
+            }
+            Self::NoMass { link } => {
+                write!(f, "<inertial> of link '{link}' has no <mass>: it counts for nothing")
+            }
+            Self::PointMass { link } => {
+                write!(
+                    f,
+                    "<inertial> of link '{link}' has no <inertia> of six entries: its mass counts as a point"
+                )
+            }
+            Self::Rotor { joint } => {
+                write!(f, "the rotor of joint '{joint}' has inertia: H is without it; --rotors on adds it")
+            }
             Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it"),
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
@@ -100,7 +145,16 @@ pub(crate) struct Places {
 
 impl Loaded {
     pub(crate) fn new(model: Model<f64>, name: String, kind: Kind, places: Places) -> Self {
-        Self { model, name, kind, mimic: true, keyframes: Vec::new(), notes: Vec::new(), places }
+        Self {
+            model,
+            name,
+            kind,
+            mimic: true,
+            rotors: Vec::new(),
+            keyframes: Vec::new(),
+            notes: Vec::new(),
+            places,
+        }
     }
 
     /// Where a link or joint stands in its file, if there is one.
@@ -116,6 +170,25 @@ impl Loaded {
             Place::Joint(joint) => self.places.joints.get(joint.index()).copied(),
         }?;
         Some((self.places.files.get(file as usize)?, at))
+    }
+
+    /// The same with the reflected inertia of its rotors added to the armature of their joints.
+    ///
+    /// Errors: [`FormatError::Unsuitable`] if a rotor's joint is not there or does not move, or an inertia is negative.
+    pub fn with_rotors(mut self) -> Result<Self, FormatError> {
+        let unsuitable = |problem: String| FormatError::Unsuitable { text: self.name.clone(), problem };
+        let mut armature = self.model.armature().to_vec();
+        for rotor in &self.rotors {
+            let joint = self.model.joints().iter().find(|joint| joint.name() == rotor.joint);
+            let joint = joint.ok_or_else(|| {
+                unsuitable(format!("a rotor is on joint '{}', which is no moving joint", rotor.joint))
+            })?;
+            joint.dofs().for_each(|d| armature[d] += rotor.reflected);
+        }
+        let model = self.model.clone().with_armature(armature);
+        self.model = model.map_err(|error| unsuitable(error.to_string()))?;
+        self.notes.retain(|(.., note)| !matches!(note, Note::Rotor { .. }));
+        Ok(self)
     }
 
     /// True for a parametric family.

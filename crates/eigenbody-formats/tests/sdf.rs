@@ -1,5 +1,6 @@
 //! SDF files: the same robots as in URDF, the graph of poses, the errors.
 
+use eigenbody::model::LinkInfo;
 use eigenbody::{Base, mass_matrix};
 use eigenbody_formats::{Loaded, SdfOptions, UrdfOptions, read_sdf, read_sdf_str, read_urdf_str};
 use insta::assert_snapshot;
@@ -84,7 +85,7 @@ fn frames_and_nested_models_have_full_names() {
              <link name="l"/><frame name="flange" attached_to="l"><pose>0 2 0 0 0 0</pose></frame></model>
            <joint name="j" type="revolute"><parent>mount</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint>"#,
     );
-    let names: Vec<&str> = found.model.links().iter().map(|l| l.name()).collect();
+    let names: Vec<&str> = found.model.links().iter().map(LinkInfo::name).collect();
     assert_eq!(names, ["world", "base", "arm::l"]);
     // The flange stands at the mount: the link two metres beside it turns about its own frame, where the joint is.
     assert_eq!(mass_matrix(&found.model, &[0.3]).unwrap()[(0, 0)], 1.0);

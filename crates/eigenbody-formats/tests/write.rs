@@ -62,8 +62,11 @@ fn chain(kinds: &[Joint<f64>], base: Base) -> Model<f64> {
     let mut last = robot.link("root", rod());
     for (k, kind) in kinds.iter().enumerate() {
         let link = robot.link(format!("l{k}"), rod());
-        let E =
-            eigenbody::spatial::Mat3::rotation_rpy(0.3 * k as f64, 1.5707963267948966 * (k % 2) as f64, 1.0);
+        let E = eigenbody::spatial::Mat3::rotation_rpy(
+            0.3 * k as f64,
+            std::f64::consts::FRAC_PI_2 * (k % 2) as f64,
+            1.0,
+        );
         let at = Transform::new(E, Vec3::new(0.5, 0.1, -0.2));
         robot.joint(
             JointSpec::new(format!("j{k}"), *kind, last, link).at(at).about(Vec3::new(1.0, 2.0, -1.0)),

@@ -1,7 +1,7 @@
 //! URDF: the links, inertias and joints of a robot description file.
 //!
 //! Read are `<link>` with `<inertial>` and `<joint>` with `<origin>`, `<axis>`, `<limit>` and `<mimic>`, as children of
-//! `<robot>`; all else leaves H as it is and is passed over. Coordinates follow the order of the `<joint>` elements.
+//! `<robot>`, and rotor inertia in `<transmission>` for those who ask; all else leaves H as it is and is passed over. Coordinates follow the order of the `<joint>` elements.
 //! A link without `<inertial>` is a frame without mass; a planar joint moves in the plane normal to its axis; units are SI.
 
 mod element;
@@ -9,8 +9,10 @@ mod fault;
 mod joint;
 mod link;
 mod pose;
+mod rotor;
 
 pub use fault::UrdfFault;
+pub use rotor::Rotor;
 
 use crate::error::FormatError;
 use crate::loaded::{Kind, Loaded, Note, Places};
@@ -54,25 +56,27 @@ pub fn read_urdf(path: &Path, options: &UrdfOptions) -> Result<Loaded, FormatErr
 /// assert!(error.to_string().starts_with("point.urdf:1:62: joint 'hinge' has type 'hinge', expected"));
 /// ```
 pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Result<Loaded, FormatError> {
-    let located = |at: Location, fault: UrdfFault| FormatError::Urdf {
+    let located_at = |at: Location, fault: UrdfFault| FormatError::Urdf {
         file: file_name.to_owned(),
         at,
         fault: Box::new(fault),
     };
     // No document type declarations: no entities to expand.
+    let whole = crate::xml::lenient(text);
+    let text = whole.as_ref();
     let xml = Document::parse_with_options(text, ParsingOptions { allow_dtd: false, ..Default::default() })
         .map_err(|error| {
         let at = error.pos();
-        located(Location { line: at.row, column: at.col }, UrdfFault::from(error))
+        located_at(Location { line: at.row, column: at.col }, UrdfFault::from(error))
     })?;
     let robot = Element(xml.root_element());
     let stem = || Path::new(file_name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let (robot_name, notes) = match robot.attribute("name") {
+    let (robot_name, mut notes) = match robot.attribute("name") {
         Ok(name) => (name.to_owned(), Vec::new()),
         Err(_) => (stem(), vec![(file_name.to_owned(), robot.location(), Note::NoName)]),
     };
     let (model, offsets) = model(robot, &robot_name, options.base)
-        .map_err(|Fault { offset, fault }| located(Location::at(text.as_bytes(), offset), fault))?;
+        .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
     let located =
         |offsets: &[usize]| Location::all(text.as_bytes(), offsets).into_iter().map(|at| (0, at)).collect();
     let places = Places {
@@ -80,8 +84,20 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         links: located(&offsets.links),
         joints: located(&offsets.joints),
     };
+    let rotors = rotor::rotors(robot)
+        .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
+    let noted = rotors.iter().map(|(rotor, offset)| {
+        let at = Location::at(text.as_bytes(), *offset);
+        (file_name.to_owned(), at, Note::Rotor { joint: rotor.joint.clone() })
+    });
+    notes.extend(noted);
+    notes.extend(offsets.notes.into_iter().map(|(offset, note)| {
+        let at = Location::at(text.as_bytes(), offset);
+        (file_name.to_owned(), at, note)
+    }));
+    let rotors = rotors.into_iter().map(|(rotor, _)| rotor).collect();
     let kind = Kind::File(file_name.into());
-    Ok(Loaded { notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
+    Ok(Loaded { rotors, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.
@@ -89,6 +105,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
 struct Offsets {
     links: Vec<usize>,
     joints: Vec<usize>,
+    notes: Vec<(usize, Note)>,
 }
 
 fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, Offsets), Fault> {
@@ -98,7 +115,9 @@ fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, 
     let mut links: HashMap<&str, LinkId> = HashMap::new();
     for element in robot.children("link") {
         let name = element.attribute("name")?;
-        let id = builder.link(name, link::inertia(element)?);
+        let (inertia, note) = link::inertia(element)?;
+        let id = builder.link(name, inertia);
+        offsets.notes.extend(note.map(|note| (element.offset(), note)));
         // Of two links with one name either will do: the builder refuses them.
         links.insert(name, id);
         offsets.links.push(element.offset());
@@ -108,7 +127,12 @@ fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, 
         None => Err(did_you_mean(name, links.keys().copied())),
     };
     for element in robot.children("joint") {
-        builder.joint(joint::read(element, find)?);
+        let mut spec = joint::read(element, find)?;
+        if let Some((lower, upper)) = spec.limits.take_if(|(lower, upper)| *lower > *upper) {
+            let joint = spec.name.clone();
+            offsets.notes.push((element.offset(), Note::CrossedLimits { joint, lower, upper }));
+        }
+        builder.joint(spec);
         offsets.joints.push(element.offset());
     }
     match builder.build(base) {

@@ -158,7 +158,7 @@ fn write_joint(
 
 fn limits(model: &Model<f64>, body: &Body<f64>) -> String {
     let info = model.joints().iter().find(|j| j.dofs().start == body.dofs().start);
-    match info.and_then(|j| j.limits()) {
+    match info.and_then(eigenbody::model::JointInfo::limits) {
         Some((lower, upper)) if lower.is_finite() && upper.is_finite() => {
             format!("<limit lower=\"{lower:?}\" upper=\"{upper:?}\" effort=\"0\" velocity=\"0\"/>")
         }

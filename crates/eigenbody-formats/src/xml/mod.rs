@@ -2,8 +2,10 @@
 //!
 //! URDF borrows its document; MJCF splices files into one another and copies subtrees, so its elements own what they hold.
 
+mod lenient;
 mod parse;
 
+pub(crate) use lenient::lenient;
 pub use parse::XmlFault;
 pub(crate) use parse::parse;
 

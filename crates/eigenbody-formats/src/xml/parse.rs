@@ -1,5 +1,6 @@
 //! Text to elements.
 
+use super::lenient::lenient;
 use super::{Attribute, Element, MAX_DEPTH, Spot};
 use crate::location::Location;
 use roxmltree::{Document, Node, ParsingOptions};
@@ -31,6 +32,8 @@ impl From<roxmltree::Error> for XmlFault {
 
 /// The root element of a text; `file` is its number among the model's files.
 pub(crate) fn parse(text: &str, file: u32) -> Result<Element, (Location, XmlFault)> {
+    let text = lenient(text);
+    let text = text.as_ref();
     // No document type declarations: no entities to expand.
     let options = ParsingOptions { allow_dtd: false, ..Default::default() };
     let document = Document::parse_with_options(text, options).map_err(|error| {

@@ -2,6 +2,7 @@
 
 use super::{loaded, world};
 use eigenbody::Base;
+use eigenbody::model::{JointInfo, LinkInfo};
 use eigenbody_formats::{MjcfOptions, read_mjcf_str};
 use insta::assert_snapshot;
 
@@ -12,7 +13,7 @@ fn replicated_names_count_with_the_digits_of_the_last() {
     let inner = "<replicate count='2'><body name='l'><joint name='j'/><geom size='.1'/></body></replicate>";
     let found =
         world(&format!("<replicate count='11' sep='-'><body name='k'>{inner}{BALL}</body></replicate>"));
-    let names: Vec<&str> = found.model.joints().iter().map(|j| j.name()).collect();
+    let names: Vec<&str> = found.model.joints().iter().map(JointInfo::name).collect();
     assert_eq!((names.len(), names[0], names[1], names[21]), (22, "j0-00", "j1-00", "j1-10"));
 }
 
@@ -21,8 +22,8 @@ fn what_has_no_name_gets_one_that_is_free() {
     let found = world(&format!(
         "<body name='body_2'><joint name='joint_0'/>{BALL}<body><joint/>{BALL}</body></body>"
     ));
-    let joints: Vec<&str> = found.model.joints().iter().map(|j| j.name()).collect();
-    let links: Vec<&str> = found.model.links().iter().map(|l| l.name()).collect();
+    let joints: Vec<&str> = found.model.joints().iter().map(JointInfo::name).collect();
+    let links: Vec<&str> = found.model.links().iter().map(LinkInfo::name).collect();
     assert_eq!(joints, ["joint_0", "joint_2"]);
     assert_eq!(links, ["world", "body_2", "body_2_"]);
 }
@@ -85,7 +86,7 @@ fn keyframes_are_configurations() {
     let at = |text: &str| found.configuration(text, false).unwrap();
     assert_eq!(at("home"), [0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.5]);
     assert_eq!(at("key:home"), at("home"));
-    assert_eq!(at("qpos0"), [1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.5707963267948966]);
+    assert_eq!(at("qpos0"), [1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, std::f64::consts::FRAC_PI_2]);
     assert_eq!(at("key:1"), at("qpos0"));
     assert_eq!(at("a=0.1")[7], 0.1);
 }

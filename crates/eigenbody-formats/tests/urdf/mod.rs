@@ -5,6 +5,7 @@ mod faults;
 mod limits;
 mod links;
 mod places;
+mod rotors;
 
 use eigenbody::{Base, Matrix, Model, mass_matrix};
 use eigenbody_formats::{UrdfOptions, read_urdf_str};

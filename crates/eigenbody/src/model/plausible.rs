@@ -14,8 +14,8 @@ pub(super) struct Sized {
 /// Radii of gyration beyond this belong to no robot (m).
 const LARGEST_RADIUS: f64 = 20.0;
 
-/// Densities outside are no matter's (kg/m³): aerogel to osmium, with room for hollow and slender links.
-const DENSITIES: std::ops::Range<f64> = 1e-2..2e5;
+/// Densities outside are no matter's (kg/m³): aerogel to osmium, with room for hollow links and inflated inertias.
+const DENSITIES: std::ops::Range<f64> = 1e-4..2e5;
 
 /// Twins may differ by this much of the larger: files round.
 const TWIN_TOLERANCE: f64 = 0.05;

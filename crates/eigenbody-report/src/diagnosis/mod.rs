@@ -1,0 +1,246 @@
+//! What is wrong with a robot, for people and for programs.
+
+mod text;
+mod words;
+
+pub use text::diagnosis_text;
+
+use eigenbody::search::Measure;
+use eigenbody_study::diagnosis::{Blame, Diagnosis, Finding, Mechanism, NullMotion, Worst};
+use serde::Serialize;
+use words::{advice, message, severity};
+
+/// Everything that `eigenbody check --format json` prints. A number that does not exist, or is infinite, is `null`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DiagnosisReport {
+    /// The model as it was asked for.
+    pub model: String,
+    /// Number of degrees of freedom.
+    pub dofs: usize,
+    /// Configurations evaluated.
+    pub evaluations: usize,
+    /// By κ, κ′ and λmin.
+    pub worst: Vec<WorstReport>,
+    /// Joint rates that move no mass in any configuration.
+    pub null_motions: Vec<Vec<RateReport>>,
+    /// What precisions keep at the worst κ′.
+    pub digits: Option<DigitsReport>,
+    /// What is wrong.
+    pub findings: Vec<FindingReport>,
+    /// What is suspicious about the model itself.
+    pub model_findings: Vec<String>,
+}
+
+/// The worst by one measure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WorstReport {
+    /// `kappa`, `kappa_weighted` or `lambda_min`.
+    pub measure: &'static str,
+    /// The worst value found; `null` for an infinite one.
+    pub worst: Option<f64>,
+    /// Over the sampled configurations.
+    pub median: Option<f64>,
+    /// Exceeded in badness by one of ten samples.
+    pub tenth: Option<f64>,
+    /// All coordinates: what `--at 'q=[..]'` takes.
+    pub q: Vec<f64>,
+    /// How the softest mode comes about.
+    pub mechanism: Option<MechanismReport>,
+    /// The softest mode, the largest share first.
+    pub softest: Vec<RateReport>,
+    /// Who carries its energy.
+    pub carriers: Vec<ShareReport>,
+}
+
+/// A degree of freedom in a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RateReport {
+    /// Its name.
+    pub joint: String,
+    /// Its rate in the motion.
+    pub rate: f64,
+    /// Its part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub share: Option<f64>,
+}
+
+/// A link's or a rotor's part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShareReport {
+    /// The link, or `armature of` a joint.
+    pub name: String,
+    /// Its part of the motion's energy.
+    pub share: f64,
+}
+
+/// How a soft motion comes about.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum MechanismReport {
+    /// One joint carries little inertia.
+    LightTip {
+        /// The joint.
+        joint: String,
+        /// The link.
+        link: String,
+    },
+    /// Two joints cancel.
+    Opposition {
+        /// The joints.
+        joints: [String; 2],
+        /// Angle between their axes (rad).
+        angle: f64,
+        /// The links that they move.
+        links: Vec<String>,
+    },
+    /// Many joints.
+    Spread,
+}
+
+/// Digits kept.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DigitsReport {
+    /// Predicted loss, log₁₀ κ′.
+    pub predicted_loss: f64,
+    /// Digits kept by the worst way of solving in single precision.
+    pub left_in_f32: f64,
+    /// And in double precision.
+    pub left_in_f64: f64,
+    /// By method: digits lost in f32 and f64; `null` where it failed.
+    pub lost: Vec<LossReport>,
+}
+
+/// Digits lost by one way of solving.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LossReport {
+    /// The way.
+    pub method: &'static str,
+    /// In single precision.
+    pub f32: Option<f64>,
+    /// In double precision.
+    pub f64: Option<f64>,
+}
+
+/// One finding.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FindingReport {
+    /// A stable name.
+    pub id: &'static str,
+    /// `error`, `warning` or `note`.
+    pub severity: &'static str,
+    /// One sentence.
+    pub message: String,
+    /// What to do.
+    pub advice: String,
+    /// Joints to blame.
+    pub joints: Vec<String>,
+    /// Measured.
+    pub value: Option<f64>,
+    /// Held against.
+    pub limit: f64,
+    /// Where; empty for everywhere.
+    pub q: Vec<f64>,
+}
+
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+impl From<&Mechanism> for MechanismReport {
+    fn from(mechanism: &Mechanism) -> Self {
+        match mechanism.clone() {
+            Mechanism::LightTip { joint, link } => Self::LightTip { joint, link },
+            Mechanism::Opposition { joints, angle, links } => Self::Opposition { joints, angle, links },
+            Mechanism::Spread => Self::Spread,
+        }
+    }
+}
+
+impl From<&Worst> for WorstReport {
+    fn from(worst: &Worst) -> Self {
+        let spread = &worst.spread;
+        let (mut softest, mut carriers) = (Vec::new(), Vec::new());
+        if let Some(Blame { soft, .. }) = &worst.blame {
+            softest.extend(soft.dofs.iter().map(|part| RateReport {
+                joint: part.name.clone(),
+                rate: part.rate,
+                share: Some(part.share),
+            }));
+            carriers.extend(
+                soft.carriers.iter().map(|part| ShareReport { name: part.name.clone(), share: part.share }),
+            );
+        }
+        Self {
+            measure: name(spread.measure),
+            worst: finite(spread.worst),
+            median: finite(spread.median),
+            tenth: finite(spread.tenth),
+            q: spread.at.clone(),
+            mechanism: worst.blame.as_ref().map(|blame| MechanismReport::from(&blame.mechanism)),
+            softest,
+            carriers,
+        }
+    }
+}
+
+fn name(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Kappa => "kappa",
+        Measure::KappaWeighted => "kappa_weighted",
+        Measure::LambdaMin => "lambda_min",
+    }
+}
+
+impl DiagnosisReport {
+    /// What a diagnosis says about `model`; `model_findings` are the loader's.
+    pub fn new(model: &str, found: &Diagnosis, model_findings: Vec<String>) -> Self {
+        let rates = |motion: &NullMotion| {
+            let rate =
+                |(joint, rate): &(String, f64)| RateReport { joint: joint.clone(), rate: *rate, share: None };
+            motion.rates.iter().map(rate).collect()
+        };
+        Self {
+            model: model.into(),
+            dofs: found.dofs.len(),
+            evaluations: found.evaluations,
+            worst: found.worst.iter().map(WorstReport::from).collect(),
+            null_motions: found.null_motions.iter().map(rates).collect(),
+            digits: found.digits.as_ref().map(|digits| DigitsReport {
+                predicted_loss: digits.predicted_loss,
+                left_in_f32: digits.left_in_f32(),
+                left_in_f64: digits.left_in_f64(),
+                lost: digits
+                    .measured
+                    .iter()
+                    .map(|loss| LossReport {
+                        method: loss.method,
+                        f32: finite(loss.f32),
+                        f64: finite(loss.f64),
+                    })
+                    .collect(),
+            }),
+            findings: found.findings.iter().map(|finding| report(finding, found)).collect(),
+            model_findings,
+        }
+    }
+
+    /// As JSON, floats that parse back to the same bits.
+    ///
+    /// Errors: those of the serialiser.
+    pub fn to_json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self)
+    }
+}
+
+fn report(finding: &Finding, found: &Diagnosis) -> FindingReport {
+    FindingReport {
+        id: finding.id,
+        severity: severity(finding.severity),
+        message: message(finding, found),
+        advice: advice(finding),
+        joints: finding.joints.clone(),
+        value: finite(finding.value),
+        limit: finding.limit,
+        q: finding.at.clone(),
+    }
+}
