@@ -166,6 +166,18 @@ pub struct CheckArgs {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub f32_digits: Option<f64>,
 
+    /// Advise the least armature with which κ is at most this in every configuration.
+    #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "want_lambda_min")]
+    pub want_kappa: Option<f64>,
+
+    /// Advise the least armature with which λmin is at least this (kg m²) in every configuration.
+    #[arg(long, value_name = "L", allow_negative_numbers = true)]
+    pub want_lambda_min: Option<f64>,
+
+    /// Write a copy of the model with that armature, as MJCF.
+    #[arg(long, value_name = "FILE.xml")]
+    pub write_patch: Option<PathBuf>,
+
     /// The least severe finding for exit status 1.
     #[arg(long, value_enum, default_value_t = FailOn::Warning)]
     pub fail_on: FailOn,

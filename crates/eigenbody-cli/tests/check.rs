@@ -44,7 +44,35 @@ fn json_says_where() {
 }
 
 #[test]
+fn advice_mends_what_it_says() {
+    let scratch = Scratch::new();
+    let (path, patch) = (scratch.file("neck.urdf", NECK), scratch.path("mended.xml"));
+    let patch = patch.to_str().unwrap();
+    let call = [
+        "check",
+        &path,
+        "--samples",
+        "128",
+        "--want-kappa",
+        "1e4",
+        "--write-patch",
+        patch,
+        "--format",
+        "json",
+    ];
+    let output = run(&call);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let advice = &report["advice"];
+    assert!(advice["reached"].as_f64().unwrap() <= 1e4, "{advice}");
+    let mended = json(&["check", patch, "--samples", "128", "--format", "json", "--max-kappa", "1e4"]);
+    assert_eq!(mended["findings"].as_array().unwrap().len(), 0, "{}", mended["findings"]);
+}
+
+#[test]
 fn bad_input() {
+    insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0"]), @"error: --want-kappa 0: expected a positive number");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0.5"]), @"error: puma560: no armature was found that does what is wanted");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--write-patch", "x.xml"]), @"error: --write-patch: say what is wanted, --want-kappa or --want-lambda-min");
     insta::assert_snapshot!(failure(&["check", "puma560", "--max-kappa", "-1"]), @"error: --max-kappa -1: expected a positive number");
     insta::assert_snapshot!(failure(&["check", "no/such/robot.urdf"]), @"error: no/such/robot.urdf: no such file");
     insta::assert_snapshot!(failure(&["check", "puma560", "--metric", "diagonal=[1]"]), @"error: puma560: B has 1 numbers, expected 6");

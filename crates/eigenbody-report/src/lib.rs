@@ -15,7 +15,7 @@ mod spectrum;
 mod table;
 mod text;
 
-pub use diagnosis::{DiagnosisReport, diagnosis_text};
+pub use diagnosis::{AddedReport, AdviceReport, DiagnosisReport, advice_text, diagnosis_text};
 pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;

@@ -5,6 +5,7 @@
 // Helpers stop a test as its own lines would.
 #![allow(clippy::unwrap_used)]
 
+mod advise;
 mod claims;
 mod corrupted;
 mod diagnosis;

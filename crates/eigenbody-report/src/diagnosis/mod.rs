@@ -1,12 +1,14 @@
 //! What is wrong with a robot, for people and for programs.
 
+mod advice;
 mod text;
 mod words;
 
+pub use advice::{AddedReport, AdviceReport, advice_text};
 pub use text::diagnosis_text;
 
 use eigenbody::search::Measure;
-use eigenbody_study::diagnosis::{Blame, Diagnosis, Finding, Mechanism, NullMotion, Worst};
+use eigenbody_study::diagnosis::{Advice, Blame, Diagnosis, Finding, Mechanism, NullMotion, Worst};
 use serde::Serialize;
 use words::{advice, message, severity};
 
@@ -29,6 +31,9 @@ pub struct DiagnosisReport {
     pub findings: Vec<FindingReport>,
     /// What is suspicious about the model itself.
     pub model_findings: Vec<String>,
+    /// What to add, where something was wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub advice: Option<AdviceReport>,
 }
 
 /// The worst by one measure.
@@ -221,7 +226,13 @@ impl DiagnosisReport {
             }),
             findings: found.findings.iter().map(|finding| report(finding, found)).collect(),
             model_findings,
+            advice: None,
         }
+    }
+
+    /// The same with advice.
+    pub fn with_advice(self, advice: Option<&Advice>) -> Self {
+        Self { advice: advice.map(AdviceReport::from), ..self }
     }
 
     /// As JSON, floats that parse back to the same bits.

@@ -8,11 +8,13 @@
 //! limits                      ->  findings
 //! ```
 
+mod advise;
 mod blame;
 mod digits;
 mod finding;
 mod rest;
 
+pub use advise::{Added, Advice, Goal, least_armature};
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
 pub use finding::{Finding, Limits, Severity, Use};
