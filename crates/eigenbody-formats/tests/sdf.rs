@@ -83,12 +83,14 @@ fn frames_and_nested_models_have_full_names() {
            <frame name="mount" attached_to="base"><pose degrees="true">1 0 0 0 0 90</pose></frame>
            <model name="arm" placement_frame="flange"><pose relative_to="mount"/>
              <link name="l"/><frame name="flange" attached_to="l"><pose>0 2 0 0 0 0</pose></frame></model>
-           <joint name="j" type="revolute"><parent>mount</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint>"#,
+           <joint name="j" type="revolute"><pose relative_to="base"/><parent>mount</parent><child>arm</child>
+             <axis><xyz>0 0 1</xyz></axis></joint>"#,
     );
     let names: Vec<&str> = found.model.links().iter().map(LinkInfo::name).collect();
     assert_eq!(names, ["world", "base", "arm::l"]);
-    // The flange stands at the mount: the link two metres beside it turns about its own frame, where the joint is.
-    assert_eq!(mass_matrix(&found.model, &[0.3]).unwrap()[(0, 0)], 1.0);
+    // The flange stands at the mount, so the link at (1, 0, 0) + Rz(90°) (0, −2, 0), three metres from the joint.
+    let H = mass_matrix(&found.model, &[0.3]).unwrap()[(0, 0)];
+    assert!((H - 10.0).abs() < 20.0 * f64::EPSILON * 10.0, "{H}");
 }
 
 #[test]

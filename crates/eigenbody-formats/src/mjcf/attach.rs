@@ -2,7 +2,7 @@
 
 use super::asset::Assets;
 use super::attribute::required;
-use super::body::{Body, Part, WORLD};
+use super::body::{Body, Part, Rename, WORLD};
 use super::compiler::Compiler;
 use super::defaults::Defaults;
 use super::document::{Document, Model};
@@ -29,7 +29,7 @@ pub(super) fn attach<'a>(reader: &mut Reader<'a>, element: &'a Element, at: Cont
     if reader.attachments > MAX_ATTACHMENTS {
         return Err(fault(element.at, MjcfFault::TooManyAttachments { limit: MAX_ATTACHMENTS }));
     }
-    let rename = |name: &str| format!("{prefix}{name}");
+    let rename = Rename::Prefix(&prefix);
     let (body, frame) = (element.get("body"), element.get("frame"));
     let Some(model_name) = element.get("model") else {
         match (body, frame) {
@@ -65,7 +65,10 @@ pub(super) fn attach<'a>(reader: &mut Reader<'a>, element: &'a Element, at: Cont
         }
         None => reader.tree.copy_contents(&contents.part, contents.holder, at.body, at.frame, &rename),
     }
-    reader.attached.push((model, prefix));
+    // Its other sections speak of all that was attached under one prefix.
+    if !reader.attached.iter().any(|(known, p)| std::ptr::eq(*known, model) && *p == prefix) {
+        reader.attached.push((model, prefix.clone()));
+    }
     reader.check_size(element)
 }
 

@@ -28,6 +28,8 @@ pub(super) enum Align {
 #[derive(Debug, Clone)]
 pub(super) struct Joint {
     pub name: Option<String>,
+    /// What other sections call it: its name before it was replicated.
+    pub called: Option<String>,
     pub at: Spot,
     pub motion: Motion,
     pub pos: Vec3<f64>,
@@ -74,6 +76,31 @@ pub(super) struct Body {
 #[derive(Debug)]
 pub(super) struct Tree {
     pub bodies: Vec<Body>,
+}
+
+/// How copies are named.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Rename<'a> {
+    /// Attached: the other sections of the attached model get the prefix too.
+    Prefix(&'a str),
+    /// Replicated: the other sections speak of all copies by the first name.
+    Suffix(&'a str),
+}
+
+impl Rename<'_> {
+    fn name(self, name: &str) -> String {
+        match self {
+            Self::Prefix(prefix) => format!("{prefix}{name}"),
+            Self::Suffix(suffix) => format!("{name}{suffix}"),
+        }
+    }
+
+    fn called(self, name: &str) -> String {
+        match self {
+            Self::Prefix(prefix) => format!("{prefix}{name}"),
+            Self::Suffix(_) => name.to_owned(),
+        }
+    }
 }
 
 /// Some bodies, numbered from the first.
@@ -151,7 +178,7 @@ impl Tree {
         from: usize,
         to: usize,
         place: Transform<f64>,
-        rename: &impl Fn(&str) -> String,
+        rename: &Rename<'_>,
     ) {
         let geoms = part.body(from).geoms.iter().map(|g| Geom { pose: g.pose * place, ..*g });
         self.bodies[to].geoms.extend(geoms);
@@ -167,14 +194,17 @@ impl Tree {
         from: usize,
         parent: usize,
         pose: Transform<f64>,
-        rename: &impl Fn(&str) -> String,
+        rename: &Rename<'_>,
     ) {
         let mut stack = vec![(from, parent, Some(pose))];
         while let Some((from, parent, pose)) = stack.pop() {
             let mut copy = part.body(from).clone();
             let children = std::mem::take(&mut copy.children);
-            copy.name = copy.name.as_deref().map(rename);
-            copy.joints.iter_mut().for_each(|j| j.name = j.name.as_deref().map(rename));
+            copy.name = copy.name.as_deref().map(|name| rename.name(name));
+            copy.joints.iter_mut().for_each(|joint| {
+                joint.name = joint.name.as_deref().map(|name| rename.name(name));
+                joint.called = joint.called.as_deref().map(|name| rename.called(name));
+            });
             copy.pose = pose.unwrap_or(copy.pose);
             let id = self.add(parent, copy);
             stack.extend(children.into_iter().rev().map(|child| (child, id, None)));

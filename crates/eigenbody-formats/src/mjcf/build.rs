@@ -24,7 +24,8 @@ pub(super) struct Parts {
     pub joint_spots: Vec<Spot>,
     /// The pose that the file describes.
     pub reference: Vec<f64>,
-    pub known: HashMap<String, Known>,
+    /// Joints by what other sections call them: several if they were replicated.
+    pub known: HashMap<String, Vec<Known>>,
     /// Armature of the root's own free joint, which became the floating base.
     pub base_armature: f64,
     names: Names,
@@ -234,7 +235,7 @@ impl Parts {
     }
 
     fn joint(&mut self, joint: &Joint, body: &Body, carrier: LinkId, link: LinkId, frame: &Transform<f64>) {
-        let number = self.known.len() + self.joints.len();
+        let number = self.joints.len();
         let name = joint.name.clone().unwrap_or_else(|| self.names.joint(&format!("joint_{number}")));
         let kind = kind(joint.motion);
         let back = match joint.motion {
@@ -256,7 +257,11 @@ impl Parts {
         }
         let single = matches!(joint.motion, Motion::Slide | Motion::Hinge);
         let known = Known { joint: self.joints.len(), single, reference: joint.reference };
-        self.known.insert(name.clone(), known);
+        let names =
+            [joint.called.as_ref(), joint.name.as_ref().filter(|name| joint.called.as_ref() != Some(name))];
+        for name in names.into_iter().flatten() {
+            self.known.entry(name.clone()).or_default().push(known);
+        }
         let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature; kind.nv()] };
         self.joint_spots.push(joint.at);
         self.joints.push(JointSpec {

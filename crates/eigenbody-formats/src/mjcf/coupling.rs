@@ -57,7 +57,7 @@ pub(super) struct Sections<'a> {
     pub root: &'a Element,
     pub defaults: &'a Defaults<'a>,
     pub prefix: &'a str,
-    pub joints: &'a HashMap<String, Known>,
+    pub joints: &'a HashMap<String, Vec<Known>>,
 }
 
 impl Couplings {
@@ -153,8 +153,9 @@ impl Couplings {
         let gear = numbers(styled.find("gear"), &element.tag, 1..=6)?.unwrap_or(vec![1.0]);
         let reflected = armature * gear[0] * gear[0];
         let joint = element.get("joint").or(element.get("jointinparent"));
-        if let Some(known) = sections.joint(joint) {
-            self.armature.push((known.joint, reflected));
+        let joints = sections.joints(joint);
+        if !joints.is_empty() {
+            self.armature.extend(joints.iter().map(|known| (known.joint, reflected)));
         } else if let Some(tendon) = element.get("tendon").and_then(|name| tendons.get(name)) {
             self.lay(element, tendon, reflected);
         } else {
@@ -176,8 +177,18 @@ impl<'a> Sections<'a> {
         self.root.children_named(section).flat_map(|s| &s.children)
     }
 
+    /// All joints that a name means.
+    fn joints(&self, name: Option<&str>) -> &[Known] {
+        let found = name.and_then(|name| self.joints.get(&format!("{}{name}", self.prefix)));
+        found.map_or(&[], Vec::as_slice)
+    }
+
+    /// The joint that a name means, if it is one.
     fn joint(&self, name: Option<&str>) -> Option<Known> {
-        self.joints.get(&format!("{}{}", self.prefix, name?)).copied()
+        match self.joints(name) {
+            [one] => Some(*one),
+            _ => None,
+        }
     }
 
     fn tendon(&self, element: &Element) -> Result<Tendon, Fault> {

@@ -43,6 +43,7 @@ pub(super) fn read(joint: &Styled<'_>, frame: &Transform<f64>, settings: &Compil
     }
     Ok(Joint {
         name: joint.element.get("name").map(str::to_owned),
+        called: joint.element.get("name").map(str::to_owned),
         at: joint.element.at,
         motion,
         pos,
@@ -63,6 +64,7 @@ pub(super) fn read_free(element: &Element) -> Result<Joint, Fault> {
     };
     Ok(Joint {
         name: element.get("name").map(str::to_owned),
+        called: element.get("name").map(str::to_owned),
         at: element.at,
         motion: Motion::Free,
         pos: Vec3::ZERO,

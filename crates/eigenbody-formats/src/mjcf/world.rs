@@ -2,7 +2,7 @@
 
 use super::asset::{Assets, Folders};
 use super::attribute::{array, number, required, value_fault};
-use super::body::{Body, Inertial, Moments, Tree, WORLD};
+use super::body::{Body, Inertial, Moments, Rename, Tree, WORLD};
 use super::compiler::{Compiler, FromGeoms};
 use super::defaults::{Class, Defaults, MAIN};
 use super::document::{Document, Model};
@@ -214,8 +214,8 @@ impl<'a> Reader<'a> {
         for i in 0..count {
             let E = euler(angles.map(|a| a * i as f64), self.settings);
             let place = Transform::new(E, r) * at.frame;
-            let rename = |name: &str| format!("{name}{separator}{i:0digits$}");
-            self.tree.copy_contents(&template, loose, at.body, place, &rename);
+            let suffix = format!("{separator}{i:0digits$}");
+            self.tree.copy_contents(&template, loose, at.body, place, &Rename::Suffix(&suffix));
             r += E.transpose_times(offset);
         }
         Ok(())

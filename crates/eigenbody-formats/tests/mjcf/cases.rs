@@ -197,6 +197,12 @@ pub const CASES: &[Case] = &[
         &[0.070623095750857, 0.0, 0.0, 0.0, 0.043021310138273434, 0.0, 0.0, 0.0, 0.09846794653224597],
     ),
     (
+        "faces",
+        r#"<mujoco><asset><mesh name="flipped" vertex="0 0 0 .3 0 0 0 .2 0 0 0 .4" face="0 2 1 0 1 3 0 3 2 1 3 2"/><mesh name="right" inertia="exact" vertex="0 0 0 .3 0 0 0 .2 0 0 0 .4" face="0 2 1 0 1 3 0 3 2 1 2 3"/><mesh name="hull" inertia="convex" vertex="0 0 0 .3 0 0 0 .2 0 0 0 .4 .3 .3 .3" face="0 2 1 0 1 3 0 3 2 1 2 3"/></asset><worldbody><body><joint axis="1 2 3"/><geom type="mesh" mesh="flipped"/></body><body><joint axis="1 2 3"/><geom type="mesh" mesh="right"/></body><body><joint axis="1 2 3"/><geom type="mesh" mesh="hull"/></body></worldbody></mujoco>"#,
+        &[0.0, 0.0, 0.0],
+        &[0.04028571959570773, 0.0, 0.0, 0.0, 0.04028571959570775, 0.0, 0.0, 0.0, 0.18878574465989256],
+    ),
+    (
         "armature_of_tendons_and_actuators",
         r#"<mujoco><worldbody><body><joint name="a" axis="0 1 0"/><geom size=".1"/></body><body><joint name="b" axis="0 1 0"/><geom size=".1"/></body></worldbody><tendon><fixed name="t" armature=".1"><joint joint="a" coef="2"/></fixed></tendon><actuator><motor joint="b" gear="3" armature=".2"/><motor tendon="t" gear="2" armature=".3"/></actuator></mujoco>"#,
         &[0.0, 0.0],

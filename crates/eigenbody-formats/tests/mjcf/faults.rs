@@ -141,7 +141,7 @@ fn keyframes() {
         ))
     };
     assert_snapshot!(key("<key name='home' qpos='1 2'/>"), @"m.xml:3:28: key 'home': qpos holds 2 numbers, expected 8");
-    assert_snapshot!(key("<key qpos='1 0 0 0 0 0 0 0'/>"), @"m.xml:3:16: key '0': the quaternion of joint 'joint_2' is zero");
+    assert_snapshot!(key("<key qpos='1 0 0 0 0 0 0 0'/>"), @"m.xml:3:16: key '0': the quaternion of joint 'joint_1' is zero");
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn tetrahedron() -> [(&'static str, Vec<u8>); 3] {
     let mut msh: Vec<u8> = [4u32, 0, 0, 4].into_iter().flat_map(u32::to_le_bytes).collect();
     corners.iter().for_each(|&v| msh.extend(bytes(v)));
     msh.extend(faces.as_flattened().iter().flat_map(|i| i.to_le_bytes()));
-    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\nf -3 -2 -1\n";
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\ng\nf -3 -2 -1\no more\nf 1 2 3\n";
     [("t.stl", stl), ("t.msh", msh), ("t.obj", obj.into())]
 }
 

@@ -51,3 +51,12 @@ fn a_free_joint_has_its_armature_on_all_six() {
         assert!((heavy[(i, i)] - bare[(i, i)] - 2.0).abs() <= 2.0 * f64::EPSILON * heavy[(i, i)]);
     }
 }
+
+#[test]
+fn actuators_of_a_replicated_joint_are_replicated() {
+    let text = "<mujoco><worldbody><replicate count='2'><body><joint name='j'/><geom size='.1'/></body></replicate></worldbody>
+        <actuator><motor joint='j' armature='2' gear='3'/><motor joint='j1' armature='1'/></actuator>
+        <tendon><fixed armature='1'><joint joint='j0' coef='2'/></fixed></tendon></mujoco>";
+    let loaded = loaded(text);
+    assert_eq!((loaded.model.armature(), loaded.findings().len()), ([22.0, 19.0].as_slice(), 0));
+}

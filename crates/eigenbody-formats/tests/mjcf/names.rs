@@ -24,7 +24,7 @@ fn what_has_no_name_gets_one_that_is_free() {
     ));
     let joints: Vec<&str> = found.model.joints().iter().map(JointInfo::name).collect();
     let links: Vec<&str> = found.model.links().iter().map(LinkInfo::name).collect();
-    assert_eq!(joints, ["joint_0", "joint_2"]);
+    assert_eq!(joints, ["joint_0", "joint_1"]);
     assert_eq!(links, ["world", "body_2", "body_2_"]);
 }
 

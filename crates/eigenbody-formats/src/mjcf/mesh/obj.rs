@@ -27,7 +27,10 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, MeshFault> {
                     corners.collect::<Option<_>>().ok_or_else(|| fault("a face names no vertex"))?;
                 polygons.push(polygon);
             }
-            Some("g" | "o") if !polygons.is_empty() => first_group_is_over = true,
+            // The reference passes over a group line without the blank before its name.
+            Some("g" | "o") if !polygons.is_empty() => {
+                first_group_is_over |= line.trim_start()[1..].starts_with([' ', '\t']);
+            }
             _ => {}
         }
     }
