@@ -124,6 +124,13 @@ fn mimic_joints_follow_as_before() {
 fn what_a_format_cannot_say_is_refused() {
     assert_snapshot!(write_urdf(&chain(&[Joint::Spherical], Base::Fixed)).unwrap_err(), @"joint 'j0' of kind spherical has no counterpart in URDF");
     assert_snapshot!(write_urdf(&family::puma560().unwrap()).unwrap_err(), @"joint 'joint_1' has armature, for which URDF has no place; write MJCF (.xml) instead");
+    let mut robot = ModelBuilder::new("bad");
+    let base = robot.link("base", RigidInertia::ZERO);
+    let bad = RigidInertia::from_com(1.0, Vec3::X, Sym3::diagonal(0.1, -0.5, 0.1));
+    let bad = robot.link("inside_out", bad);
+    robot.joint(JointSpec::new("j0", Joint::Revolute, base, bad));
+    let bad = robot.build(Base::Fixed).unwrap();
+    assert_snapshot!(write_mjcf(&bad).unwrap_err(), @"link 'inside_out' has principal moments of inertia down to -5e-1 kg m²; MJCF allows none below zero");
     assert_snapshot!(write_mjcf(&chain(&[Joint::Helical { pitch: 0.1 }], Base::Fixed)).unwrap_err(), @"joint 'j0' of kind helical has no counterpart in MJCF");
     assert_snapshot!(write_mjcf(&chain(&[Joint::Planar], Base::Fixed)).unwrap_err(), @"joint 'j0' of kind planar has no counterpart in MJCF");
     assert_snapshot!(write_mjcf(&chain(&[Joint::Revolute, Joint::Floating], Base::Fixed)).unwrap_err(), @"joint 'j1' of kind floating has no counterpart in MJCF");

@@ -8,7 +8,7 @@ use std::fmt::Write;
 /// The model as an MJCF file that reloads to the same H; degrees of freedom stand in the order of the bodies.
 ///
 /// Universal joints become two hinges, cylindrical joints a hinge and a slide; mimic joints become equalities. Errors:
-/// [`WriteError`] for helical and planar joints, and for floating joints below the world.
+/// [`WriteError`] for helical and planar joints, for inertias with a moment below zero, and for floating joints below the world.
 pub fn write_mjcf(model: &Model<f64>) -> Result<String, WriteError> {
     let mut out = format!("<mujoco model=\"{}\">\n", escaped(model.name()));
     out.push_str("  <compiler angle=\"radian\" autolimits=\"true\"/>\n");
@@ -42,7 +42,13 @@ fn write_body(out: &mut String, model: &Model<f64>, b: usize, depth: usize) -> R
     let pad = indent(depth);
     let _ = writeln!(out, "{pad}<body name=\"{}\" pos=\"{r}\" quat=\"{q}\">", escaped(body_name(model, b)));
     if *body.inertia() != RigidInertia::ZERO {
-        let Central { m, com, I } = Central::of(body.inertia());
+        let central = Central::of(body.inertia());
+        let least = central.least_moment();
+        if least < 0.0 {
+            let link = body_name(model, b).to_owned();
+            return Err(WriteError::Inertia { link, least, format: "MJCF" });
+        }
+        let Central { m, com, I } = central;
         let full = numbers(&[I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]);
         let com = vector(com);
         let _ = writeln!(out, "{pad}  <inertial pos=\"{com}\" mass=\"{m:?}\" fullinertia=\"{full}\"/>");

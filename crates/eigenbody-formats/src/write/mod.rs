@@ -8,8 +8,9 @@ mod urdf;
 pub use mjcf::write_mjcf;
 pub use urdf::write_urdf;
 
-use eigenbody::Model;
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Vec3};
+use eigenbody::spectrum::eigenvalues;
+use eigenbody::{Matrix, Model};
 use std::fmt::Write;
 use thiserror::Error;
 
@@ -19,6 +20,10 @@ use thiserror::Error;
 pub enum WriteError {
     #[error("joint '{joint}' of kind {kind} has no counterpart in {format}")]
     Joint { joint: String, kind: &'static str, format: &'static str },
+    #[error(
+        "link '{link}' has principal moments of inertia down to {least:e} kg m²; {format} allows none below zero"
+    )]
+    Inertia { link: String, least: f64, format: &'static str },
     #[error("joint '{joint}' has armature, for which URDF has no place; write MJCF (.xml) instead")]
     Armature { joint: String },
 }
@@ -36,6 +41,16 @@ impl Central {
         let com = if body.m > 0.0 { body.h * (1.0 / body.m) } else { Vec3::ZERO };
         let I = body.I - RigidInertia::from_com(body.m, com, Sym3::ZERO).I;
         Self { m: body.m, com, I }
+    }
+}
+
+impl Central {
+    /// The least principal moment of inertia.
+    fn least_moment(&self) -> f64 {
+        let I = self.I.full();
+        let rows = [I.x.to_array(), I.y.to_array(), I.z.to_array()];
+        let I = Matrix::from_fn(3, 3, |i, j| rows[i][j]);
+        eigenvalues(&I, &[1.0; 3]).map_or(f64::NAN, |moments| moments[0])
     }
 }
 

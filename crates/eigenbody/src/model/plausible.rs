@@ -61,8 +61,8 @@ pub(super) fn of_sizes<'a>(links: &[Sized], name: impl Fn(LinkId) -> &'a str) ->
 fn median_density(links: &[Sized]) -> Option<f64> {
     let density = |l: &Sized| l.radius().map(|r| l.mass / (8.0 * r * r * r));
     let mut densities: Vec<f64> = links.iter().filter_map(density).collect();
-    densities.sort_by(f64::total_cmp);
-    (densities.len() >= 3).then(|| densities[densities.len() / 2])
+    let middle = densities.len() / 2;
+    (densities.len() >= 3).then(|| *densities.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// Words for a side, left and right.
