@@ -7,6 +7,7 @@ mod oracle;
 mod program;
 mod steps;
 mod suite;
+mod survey;
 
 use std::process::ExitCode;
 
@@ -19,7 +20,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 6] = [
+const TASKS: [Task; 7] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -32,6 +33,11 @@ const TASKS: [Task; 6] = [
         name: "conformance",
         about: "H and kappa of real robots against Pinocchio and MuJoCo",
         run: conformance::check,
+    },
+    Task {
+        name: "survey",
+        about: "docs/survey.md: `eigenbody check` on published robots",
+        run: survey::survey,
     },
     Task {
         name: "bench",
