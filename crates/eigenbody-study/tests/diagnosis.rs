@@ -106,7 +106,7 @@ fn limits_decide_what_is_a_finding() {
     assert_eq!(found.findings[0].mechanism, Some(Mechanism::Spread));
 }
 
-/// The prediction log₁₀ κ′ is within one digit of what f32 loses.
+/// The prediction is near what factors of H lose in f32 and f64: within one digit mostly, one and a half always. ABA may do better.
 #[test]
 fn lost_digits_are_as_predicted() {
     for (n, taper) in [(3, 1.0), (6, 0.8), (10, 1.0), (14, 0.9)] {
@@ -115,10 +115,14 @@ fn lost_digits_are_as_predicted() {
         for loss in &digits.measured {
             assert!(loss.f32 <= digits.predicted_loss + 1.0, "{n} {loss:?} {}", digits.predicted_loss);
         }
-        // ABA may do better than a factorisation of H; that one loses what κ′ says.
         let cholesky = digits.measured[0];
-        assert!(cholesky.f32 > digits.predicted_loss - 2.0, "{n} {cholesky:?} {}", digits.predicted_loss);
-        assert!(cholesky.f64 > digits.predicted_loss - 2.0, "{n} {cholesky:?} {}", digits.predicted_loss);
+        for lost in [cholesky.f32, cholesky.f64] {
+            assert!(
+                (lost - digits.predicted_loss).abs() <= 1.5,
+                "{n} {cholesky:?} {}",
+                digits.predicted_loss
+            );
+        }
     }
 }
 

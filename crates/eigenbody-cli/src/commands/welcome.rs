@@ -46,7 +46,8 @@ fn judge(arm: &Model<f64>) -> Result<Conditioning<f64>, Error> {
 
 const NEXT: &str = "\
 Try next:
-  eigenbody spectrum your_robot.urdf --at 'random(1)'      your own robot
+  eigenbody check your_robot.urdf                          your own robot, over all that its joints allow
+  eigenbody spectrum your_robot.urdf --at 'random(1)'      the same in one configuration
   eigenbody spectrum 'hydra(10,1,0,1)' --at 'zag(0)'       ten links in line: κ near 4 N⁴
   eigenbody matrix puma560 --at 'joint_2=-0.5'             the matrix itself
   eigenbody spectrum --help                                everything it takes

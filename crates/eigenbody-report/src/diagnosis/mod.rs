@@ -105,7 +105,7 @@ pub enum MechanismReport {
 /// Digits kept.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DigitsReport {
-    /// Predicted loss, log₁₀ κ′.
+    /// Predicted loss, log₁₀ (κ′/4).
     pub predicted_loss: f64,
     /// Digits kept by the worst way of solving in single precision.
     pub left_in_f32: f64,

@@ -2,8 +2,11 @@
 //!
 //! ```text
 //! v̇ = H⁻¹ τ      loss = log₁₀(error/ε),   error = |D(v̇ − v̇*)| / |D v̇*|,   D = diag(H)^½
-//! predicted: log₁₀ κ′
+//! predicted: log₁₀ (κ′/4)
 //! ```
+//! A rounding is half an ε, and roundings of either sign add up to about half of what they could. On each of 90 published robots
+//! κ′/4 told what Cholesky's factors and LTL lose in f32 to within one digit, and to 0.2 digits in the median.
+//!
 //! The same robot in f32, f64 and double-double, random τ in units of each joint's own inertia, the configuration rounded to f32.
 
 use crate::StudyError;
@@ -14,7 +17,7 @@ use eigenbody::scalar::{Dd, Real, Scalar};
 use eigenbody::{Matrix, Metric, Model, Reduction, mass_matrix};
 
 /// Right-hand sides; the worst counts.
-const SIDES: u64 = 4;
+const SIDES: u64 = 8;
 /// Decimal digits of f32 and f64.
 const F32_DIGITS: f64 = 7.22;
 const F64_DIGITS: f64 = 15.95;
@@ -33,7 +36,7 @@ pub struct Loss {
 /// What precisions keep at one configuration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Digits {
-    /// log₁₀ κ′ at that configuration.
+    /// log₁₀ (κ′/4) at that configuration, zero or more.
     pub predicted_loss: f64,
     /// As measured.
     pub measured: Vec<Loss>,
@@ -100,7 +103,7 @@ pub(super) fn measure(
         add("H by CRBA, LTL", &ltl, &ltl)?;
         add("articulated bodies", &aba, &aba)?;
     }
-    Ok(Some(Digits { predicted_loss: kappa_weighted.log10(), measured }))
+    Ok(Some(Digits { predicted_loss: (kappa_weighted / 4.0).log10().max(0.0), measured }))
 }
 
 /// A random force of the size that gives every joint alone an acceleration of the order of one.
