@@ -49,6 +49,14 @@ pub enum FormatError {
         /// What is wrong there.
         fault: Box<SdfFault>,
     },
+    /// A xacro file that does not expand.
+    #[error("{}: {}", OneLine(file), OneLine(problem))]
+    Xacro {
+        /// The file.
+        file: String,
+        /// Why not.
+        problem: String,
+    },
     /// Something at one column of an expression.
     #[error(transparent)]
     Expression(#[from] ExpressionError),

@@ -36,6 +36,7 @@ mod source;
 mod suggest;
 pub mod urdf;
 mod write;
+mod xacro;
 mod xml;
 
 pub use configuration::configuration;
@@ -49,4 +50,5 @@ pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
 pub use write::{WriteError, write_mjcf, write_urdf};
+pub use xacro::read_xacro;
 pub use xml::XmlFault;

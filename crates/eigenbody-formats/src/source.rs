@@ -7,6 +7,7 @@ use crate::mjcf::{MjcfOptions, read_mjcf};
 use crate::sdf::{SdfOptions, read_sdf};
 use crate::suggest::did_you_mean;
 use crate::urdf::{UrdfOptions, read_urdf};
+use crate::xacro::read_xacro;
 use eigenbody::Base;
 use eigenbody::scalar::Dd;
 use std::path::Path;
@@ -28,6 +29,7 @@ const EXTENSIONS: [&str; 4] = ["urdf", "xml", "sdf", "xacro"];
 /// | text | model |
 /// |------|-------|
 /// | `robot.urdf`, `robot.xml`, any path to a file | what the file describes: URDF, MJCF or SDF |
+/// | `robot.xacro` | the URDF that it expands to, with the feature `xacro` |
 /// | `hydra(N,B,α,ρ)`, `onion(N,B,α,ρ)`, `auto_tree(N,B,α,ρ)` | a family's member; left out: B = 1, α = 0, ρ = 1 |
 /// | `chain(N, m=2.2, l=1)` | slender rods; left out: m = 1, l = 1 |
 /// | `puma560` | a built-in robot |
@@ -61,6 +63,9 @@ pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
 fn file(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
     no_size_ratio(text, options)?;
     let path = Path::new(text);
+    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xacro")) {
+        return read_xacro(path, &UrdfOptions { base: options.base });
+    }
     match root_tag(&crate::file::read(path)?) {
         b"mujoco" | b"mujocoinclude" => read_mjcf(path, &MjcfOptions { base: options.base }),
         b"sdf" => read_sdf(path, &SdfOptions { base: options.base }),

@@ -16,3 +16,4 @@ mod sdf;
 mod source;
 mod urdf;
 mod write;
+mod xacro;
