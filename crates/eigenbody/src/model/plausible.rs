@@ -41,10 +41,9 @@ pub(super) fn of_sizes<'a>(links: &[Sized], name: impl Fn(LinkId) -> &'a str) ->
             }
         }
     }
-    // Only links with a side are looked up.
-    let sided = links.iter().filter(|l| twin(name(l.link)).is_some() || is_right(name(l.link)));
-    let by_name: HashMap<&str, &Sized> = sided.map(|l| (name(l.link), l)).collect();
-    for sized in links {
+    let sided: Vec<&Sized> = links.iter().filter(|l| may_have_side(name(l.link))).collect();
+    let by_name: HashMap<&str, &Sized> = sided.iter().map(|&l| (name(l.link), l)).collect();
+    for sized in sided {
         let own = name(sized.link);
         let other = twin(own).and_then(|twin| by_name.get_key_value(twin.as_str()));
         if let Some((&twin, other)) = other
@@ -85,10 +84,15 @@ fn twin(name: &str) -> Option<String> {
     letter("l", "r").or_else(|| letter("L", "R"))
 }
 
-fn is_right(name: &str) -> bool {
-    SIDES.iter().any(|(_, right)| name.contains(right))
-        || ["r_", "R_"].iter().any(|side| name.starts_with(side))
-        || ["_r", "_R"].iter().any(|side| name.ends_with(side))
+/// False for most names that have no side, at little cost.
+fn may_have_side(name: &str) -> bool {
+    let letter = |pair: Option<&[u8]>| {
+        matches!(pair, Some([b'l' | b'L' | b'r' | b'R', b'_'] | [b'_', b'l' | b'L' | b'r' | b'R']))
+    };
+    let bytes = name.as_bytes();
+    letter(bytes.get(..2))
+        || letter(bytes.len().checked_sub(2).and_then(|start| bytes.get(start..)))
+        || ["eft", "ight", "EFT", "IGHT"].iter().any(|part| name.contains(part))
 }
 
 /// True if masses or moments differ by more than rounding.
@@ -106,8 +110,11 @@ mod tests {
         for (left, right) in
             [("left_knee", "right_knee"), ("LeftFoot", "RightFoot"), ("l_arm", "r_arm"), ("hip_L", "hip_R")]
         {
-            assert_eq!((twin(left).as_deref(), is_right(right)), (Some(right), true));
+            assert_eq!((twin(left).as_deref(), may_have_side(right)), (Some(right), true));
+            assert!(may_have_side(left));
         }
-        assert_eq!((twin("leg"), twin("roll_link"), twin("panda_link1")), (None, None, None));
+        for neither in ["leg", "roll_link", "panda_link1", "l", ""] {
+            assert_eq!((twin(neither), may_have_side(neither)), (None, false));
+        }
     }
 }
