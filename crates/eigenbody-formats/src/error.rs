@@ -50,6 +50,7 @@ pub enum FormatError {
         fault: Box<SdfFault>,
     },
     /// A xacro file that does not expand.
+    #[cfg(feature = "xacro")]
     #[error("{}: {}", OneLine(file), OneLine(problem))]
     Xacro {
         /// The file.

@@ -36,6 +36,7 @@ mod source;
 mod suggest;
 pub mod urdf;
 mod write;
+#[cfg(feature = "xacro")]
 mod xacro;
 mod xml;
 
@@ -50,5 +51,6 @@ pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
 pub use write::{WriteError, write_mjcf, write_urdf};
+#[cfg(feature = "xacro")]
 pub use xacro::read_xacro;
 pub use xml::XmlFault;

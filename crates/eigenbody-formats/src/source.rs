@@ -7,7 +7,6 @@ use crate::mjcf::{MjcfOptions, read_mjcf};
 use crate::sdf::{SdfOptions, read_sdf};
 use crate::suggest::did_you_mean;
 use crate::urdf::{UrdfOptions, read_urdf};
-use crate::xacro::read_xacro;
 use eigenbody::Base;
 use eigenbody::scalar::Dd;
 use std::path::Path;
@@ -63,8 +62,9 @@ pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
 fn file(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
     no_size_ratio(text, options)?;
     let path = Path::new(text);
+    #[cfg(feature = "xacro")]
     if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xacro")) {
-        return read_xacro(path, &UrdfOptions { base: options.base });
+        return crate::read_xacro(path, &UrdfOptions { base: options.base });
     }
     match root_tag(&crate::file::read(path)?) {
         b"mujoco" | b"mujocoinclude" => read_mjcf(path, &MjcfOptions { base: options.base }),

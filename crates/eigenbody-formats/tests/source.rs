@@ -132,6 +132,6 @@ fn files_that_cannot_be_read_say_why() {
     assert_snapshot!(file_error("directory.urdf"), @"directory.urdf: a directory, expected a file");
     assert_snapshot!(file_error("latin1.urdf"), @"latin1.urdf:1:15: byte 0xfc is not UTF-8 text");
     assert_snapshot!(file_error("world.sdf"), @"world.sdf:1:1: <sdf> holds no <model> and no <world>");
-    assert_snapshot!(file_error("macros.xacro"), @"macros.xacro:2:3: <xacro:property> is a xacro macro; expand the file with xacro first");
+    assert_snapshot!(file_error("macros.urdf"), @"macros.urdf:2:3: <xacro:property> is a xacro macro; expand the file with xacro first");
     assert_snapshot!(file_error("empty"), @"empty:1:1: not well-formed XML: the document does not have a root node");
 }

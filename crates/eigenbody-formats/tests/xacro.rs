@@ -49,5 +49,5 @@ fn without_the_feature_the_way_is_told() {
     let (_folder, path) = written(ARM);
     let message =
         load(&path, &LoadOptions::default()).unwrap_err().to_string().replace(&path, "arm.urdf.xacro");
-    insta::assert_snapshot!(message, @"arm.urdf.xacro: xacro is not built in: build with `--features xacro`, or expand it by `xacro FILE > robot.urdf`");
+    insta::assert_snapshot!(message, @"arm.urdf.xacro:2:1: <xacro:property> is a xacro macro; expand the file with xacro first");
 }
