@@ -135,12 +135,18 @@ impl Goal {
     }
 }
 
-/// The rows so far: Σ c_d a_d ≥ b.
+/// A row: Σ c_d a_d ≥ b.
+struct Cut {
+    c: Vec<f64>,
+    b: f64,
+}
+
+/// The rows so far.
 struct Programme {
     reduction: Reduction,
     /// Median of H_dd.
     size: Vec<f64>,
-    cuts: Vec<(Vec<f64>, f64)>,
+    cuts: Vec<Cut>,
 }
 
 impl Programme {
@@ -183,7 +189,7 @@ impl Programme {
             let mended = model.clone().with_armature(armature)?;
             let found: Result<Vec<_>, StudyError> =
                 configurations.par_iter().map(|q| self.cut(&mended, goal, q, a)).collect();
-            let mut cuts: Vec<(f64, (Vec<f64>, f64))> = found?.into_iter().flatten().collect();
+            let mut cuts: Vec<(f64, Cut)> = found?.into_iter().flatten().collect();
             if cuts.is_empty() {
                 return Ok(added);
             }
@@ -195,14 +201,13 @@ impl Programme {
     }
 
     /// The row that a configuration violates, and by how much.
-    #[allow(clippy::type_complexity)]
     fn cut(
         &self,
         mended: &Model<f64>,
         goal: Goal,
         q: &[f64],
         a: &[f64],
-    ) -> Result<Option<(f64, (Vec<f64>, f64))>, StudyError> {
+    ) -> Result<Option<(f64, Cut)>, StudyError> {
         let question = eigenbody::Question { reduction: self.reduction, ..eigenbody::Question::default() };
         let verdict = conditioning_at(mended, q, &question)?;
         let (min, max) = (verdict.lambda_min.unwrap_or(0.0), verdict.lambda_max.unwrap_or(0.0));
@@ -223,13 +228,13 @@ impl Programme {
         let cut = match goal {
             Goal::LambdaMin(least) => {
                 let wanted = least * (1.0 + MARGIN);
-                (softest.iter().map(|x| x * x).collect(), wanted - min + already(&softest))
+                Cut { c: softest.iter().map(|x| x * x).collect(), b: wanted - min + already(&softest) }
             }
             Goal::Kappa(most) => {
                 let K = most / (1.0 + MARGIN);
                 let pairs = softest.iter().zip(&stiffest);
-                let row = pairs.map(|(x, y)| K * x * x - y * y).collect();
-                (row, max - already(&stiffest) - K * (min - already(&softest)))
+                let c = pairs.map(|(x, y)| K * x * x - y * y).collect();
+                Cut { c, b: max - already(&stiffest) - K * (min - already(&softest)) }
             }
         };
         Ok(Some((shortfall, cut)))
@@ -240,8 +245,8 @@ impl Programme {
         let mut problem = Problem::new(OptimizationDirection::Minimize);
         let variables: Vec<_> =
             self.size.iter().map(|_| problem.add_var(1.0, (0.0, f64::INFINITY))).collect();
-        for (row, least) in &self.cuts {
-            let scaled: Vec<f64> = row.iter().zip(&self.size).map(|(c, s)| c * s).collect();
+        for Cut { c, b } in &self.cuts {
+            let scaled: Vec<f64> = c.iter().zip(&self.size).map(|(c, s)| c * s).collect();
             let largest = scaled.iter().fold(0.0f64, |m, c| m.max(c.abs()));
             if largest == 0.0 {
                 return None;
@@ -252,7 +257,7 @@ impl Programme {
                 .map(|(&variable, c)| (variable, c / largest))
                 .filter(|(_, c)| c.abs() > 1e-9)
                 .collect();
-            problem.add_constraint(entries, ComparisonOp::Ge, least / largest);
+            problem.add_constraint(entries, ComparisonOp::Ge, b / largest);
         }
         let solution = problem.solve().ok()?.into_solution().ok()?;
         Some(variables.iter().zip(&self.size).map(|(&v, s)| solution.var_value(v).max(0.0) * s).collect())

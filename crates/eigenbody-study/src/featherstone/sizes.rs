@@ -101,7 +101,7 @@ pub fn fig9(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     Ok(Outcome::new(table, vec![Reading::shape("F-fig9", shape).noting(note)]))
 }
 
-/// Figure 9 past double precision: to κ of about 10¹⁰⁰.
+/// Figure 9 past double precision: to κ of about 10⁹⁰.
 ///
 /// # Errors
 ///

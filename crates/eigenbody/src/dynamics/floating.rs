@@ -17,7 +17,7 @@ use crate::scalar::Real;
 use crate::spatial::RigidInertia;
 
 /// Degrees of freedom of a floating base.
-pub(super) const BASE: usize = 6;
+pub(crate) const BASE: usize = 6;
 
 /// Room for [`floating_mass_matrix_into`].
 #[derive(Debug, Clone)]

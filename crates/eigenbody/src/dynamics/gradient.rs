@@ -6,7 +6,7 @@
 //!                 ∂T/∂q_d = −(S_d × c_d) · h_i      c_d = c_i, on a universal joint with the columns before d
 //! ```
 //! Moving joint i by δ along S_d turns all that it carries: X_up becomes (1 − δ S_d×) X_up, velocities outboard change by −δ S_d × c,
-//! and energy by that times the momentum carried. Cost O(N), about that of RNEA.
+//! and energy by that times the momentum carried. Cost O(N).
 //!
 //! With q̇ = x, an eigenvector of H with xᵀBx = 1, twice this gradient is ∂λ/∂q (B constant).
 

@@ -21,6 +21,7 @@ pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
 pub use denoc::{Denoc, Udu};
 pub use energy::{Energy, EnergyShares, energy, energy_into, energy_shares};
+pub(crate) use floating::BASE;
 pub use floating::{FloatingWorkspace, floating_mass_matrix, floating_mass_matrix_into};
 pub use gradient::{GradientWorkspace, kinetic_energy_gradient, kinetic_energy_gradient_into};
 pub use kinematics::{Kinematics, axes, link_pose};

@@ -10,15 +10,12 @@
 
 use super::measure::{Measure, Values};
 use crate::conditioning::{Method, Question, conditioning_at};
-use crate::dynamics::{GradientWorkspace, Reduction, kinetic_energy_gradient_into, mass_matrix};
+use crate::dynamics::{BASE, GradientWorkspace, Reduction, kinetic_energy_gradient_into, mass_matrix};
 use crate::error::{Error, InputError};
 use crate::matrix::Matrix;
 use crate::model::Model;
 use crate::spectrum::sturm::{Diagonal, Pencil};
 use crate::spectrum::{Metric, Precision, extreme_values};
-
-/// Degrees of freedom of a floating base.
-const BASE: usize = 6;
 
 /// Measures a robot in one configuration after another.
 #[derive(Debug, Clone)]
