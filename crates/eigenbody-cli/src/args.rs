@@ -73,6 +73,20 @@ pub struct RobotArgs {
     /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
     #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
     pub at: String,
+
+    /// Loops of MJCF (connect, weld) and SDF files: cut open, H is that of the tree, or closed, H is Nᵀ H N among the motions that
+    /// they allow, at the closed configuration near CONFIG.
+    #[arg(long, value_enum, value_name = "open|closed", default_value_t = Loops::Open)]
+    pub loops: Loops,
+}
+
+/// `--loops`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Loops {
+    /// Cut.
+    Open,
+    /// Closed.
+    Closed,
 }
 
 /// `eigenbody spectrum`.

@@ -4,6 +4,7 @@ use crate::configuration::configuration;
 use crate::error::{FormatError, OneLine};
 use crate::location::Location;
 use crate::urdf::Rotor;
+use eigenbody::dynamics::Closure;
 use eigenbody::model::{Finding, Place};
 use eigenbody::{Family, Model};
 use std::fmt;
@@ -24,6 +25,8 @@ pub struct Loaded {
     /// Rotor inertias that the file gives; [`with_rotors`](Self::with_rotors) adds them.
     pub rotors: Vec<Rotor>,
     pub(crate) keyframes: Vec<Keyframe>,
+    /// Loops of the file; the element's name where an end of it is not known.
+    pub(crate) closures: Vec<Result<Closure, String>>,
     pub(crate) notes: Vec<(String, Location, Note)>,
     pub(crate) places: Places,
 }
@@ -121,7 +124,7 @@ impl fmt::Display for Note {
             Self::Rotor { joint } => {
                 write!(f, "the rotor of joint '{joint}' has inertia: H is without it; --rotors on adds it")
             }
-            Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it"),
+            Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it; --loops closed is with it"),
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
             }
@@ -152,6 +155,7 @@ impl Loaded {
             mimic: true,
             rotors: Vec::new(),
             keyframes: Vec::new(),
+            closures: Vec::new(),
             notes: Vec::new(),
             places,
         }
@@ -189,6 +193,19 @@ impl Loaded {
         self.model = model.map_err(|error| unsuitable(error.to_string()))?;
         self.notes.retain(|(.., note)| !matches!(note, Note::Rotor { .. }));
         Ok(self)
+    }
+
+    /// The loops that the file closes.
+    ///
+    /// Errors: [`FormatError::Unsuitable`] if one of them is fastened to something that is not known.
+    pub fn closures(&self) -> Result<Vec<Closure>, FormatError> {
+        let known = |closure: &Result<Closure, String>| {
+            closure.clone().map_err(|element| FormatError::Unsuitable {
+                text: self.name.clone(),
+                problem: format!("{element} cannot be closed: an end of it names no body or site of the model"),
+            })
+        };
+        self.closures.iter().map(known).collect()
     }
 
     /// True for a parametric family.
