@@ -124,7 +124,10 @@ impl fmt::Display for Note {
             Self::Rotor { joint } => {
                 write!(f, "the rotor of joint '{joint}' has inertia: H is without it; --rotors on adds it")
             }
-            Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it; --loops closed is with it"),
+            Self::Loop { element } => write!(
+                f,
+                "{element} closes a loop: H is that of the tree without it; --loops closed is with it"
+            ),
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
             }
@@ -202,7 +205,9 @@ impl Loaded {
         let known = |closure: &Result<Closure, String>| {
             closure.clone().map_err(|element| FormatError::Unsuitable {
                 text: self.name.clone(),
-                problem: format!("{element} cannot be closed: an end of it names no body or site of the model"),
+                problem: format!(
+                    "{element} cannot be closed: an end of it names no body or site of the model"
+                ),
             })
         };
         self.closures.iter().map(known).collect()

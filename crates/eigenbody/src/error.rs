@@ -84,7 +84,9 @@ pub enum Error {
     #[error(transparent)]
     NotPositiveDefinite(#[from] NotPositiveDefinite),
     /// Loops that do not close near a configuration.
-    #[error("{closure} stays open by {after:.1e} (m, rad) after {steps} steps from {before:.1e}: start nearer to a closed configuration")]
+    #[error(
+        "{closure} stays open by {after:.1e} (m, rad) after {steps} steps from {before:.1e}: start nearer to a closed configuration"
+    )]
     Open {
         /// The closure that is open the farthest.
         closure: String,

@@ -23,7 +23,11 @@ pub fn run(args: &MatrixArgs) -> Result<(), Failure> {
                 subject,
                 dofs: (1..=allowed.H.rows()).map(|k| format!("y{k}")).collect(),
                 rows: rows(&allowed.H),
-                among: system.loops_report(&allowed).map(|loops| AmongReport { joints, basis: rows(&allowed.basis), loops }),
+                among: system.loops_report(&allowed).map(|loops| AmongReport {
+                    joints,
+                    basis: rows(&allowed.basis),
+                    loops,
+                }),
             }
         }
     };

@@ -9,7 +9,7 @@
 use super::attribute::array;
 use super::build::Placed;
 use super::fault::Fault;
-use crate::xml::{Element, Spot};
+use crate::xml::Element;
 use eigenbody::Model;
 use eigenbody::dynamics::{Anchor, Closure, Tie, link_pose};
 use eigenbody::spatial::{Mat3, Transform, Vec3};
@@ -18,7 +18,6 @@ use std::collections::HashMap;
 /// A loop as it is read.
 #[derive(Debug)]
 pub(super) struct Loop {
-    pub at: Spot,
     pub name: String,
     tie: Tie,
     ends: [End; 2],
@@ -60,7 +59,6 @@ pub(super) fn read(element: &Element, prefix: &str) -> Result<Loop, Fault> {
         Transform::new(Mat3::rotation_quaternion(w, Vec3::new(a, b, c)), Vec3::new(x, y, z))
     });
     Ok(Loop {
-        at: element.at,
         name: element.described(),
         tie,
         ends: [end("body1", "site1"), end("body2", "site2")],

@@ -92,7 +92,10 @@ impl Couplings {
             return Ok(());
         }
         match element.tag.as_str() {
-            "connect" | "weld" => self.loops.push(closure::read(element, sections.prefix)?),
+            "connect" | "weld" => {
+                self.note(element, Note::Loop { element: element.described() });
+                self.loops.push(closure::read(element, sections.prefix)?);
+            }
             "joint" => {
                 let (first, second) =
                     (sections.joint(element.get("joint1")), sections.joint(element.get("joint2")));

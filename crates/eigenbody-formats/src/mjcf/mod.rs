@@ -37,8 +37,8 @@ use crate::loaded::{Kind, Loaded, Note, Places};
 use crate::xml::{Files, Spot};
 use asset::Assets;
 use attribute::{array, keyword};
-use closure::Loop;
 use build::{Parts, can_float, parts};
+use closure::Loop;
 use compiler::Compiler;
 use coupling::{Couplings, Sections};
 use defaults::Defaults;
@@ -167,8 +167,7 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
         let defaults = Defaults::read(&model.root, files)?;
         couplings.add(&Sections { root: &model.root, defaults: &defaults, prefix, joints: &parts.known })?;
     }
-    let Couplings { follow, armature, loops, mut notes } = couplings;
-    notes.extend(loops.iter().map(|l| (l.at, Note::Loop { element: l.name.clone() })));
+    let Couplings { follow, armature, loops, notes } = couplings;
     for (joint, extra) in armature {
         let spec = &mut parts.joints[joint];
         spec.armature.resize(spec.kind.nv(), 0.0);

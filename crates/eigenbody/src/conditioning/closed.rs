@@ -10,7 +10,7 @@ use super::{Conditioning, Question, conditioning, ratio};
 use crate::dynamics::{BASE, Closure, closure_jacobian, closure_residual};
 use crate::error::{Error, InputError};
 use crate::matrix::Matrix;
-use crate::model::Model;
+use crate::model::{Model, Random};
 use crate::spectrum::{Metric, NullSpace, eigen, null_space};
 
 /// Rows of A shorter than this against the longest, outside the rows before them, count as dependent.
@@ -19,6 +19,10 @@ pub const RANK_TOLERANCE: f64 = 1e-9;
 const CLOSED: f64 = 1e-11;
 /// Steps after which closing is given up.
 const MAX_STEPS: usize = 100;
+/// Steps after which the loops must be half as open.
+const PATIENCE: usize = 8;
+/// How far a configuration is moved aside where they are not (rad, m).
+const KICK: f64 = 0.1;
 /// Longest step of closing (rad, m).
 const STRIDE: f64 = 0.5;
 
@@ -50,7 +54,8 @@ pub struct Allowed {
 ///
 /// Mimic joints of the reduction keep following. A closed q is returned as it is.
 ///
-/// Method: v = −Aᵀ (A Aᵀ)⁺ φ, at most half a radian or metre a step; q ← q ⊕ v. Cost O(rows³) a step.
+/// Method: v = −Aᵀ (A Aᵀ)⁺ φ, at most half a radian or metre a step; q ← q ⊕ v. Where eight steps do not halve φ, a small step aside
+/// (pseudo-random, always the same): links in line can close to second order only. Cost O(rows³) a step.
 ///
 /// Errors: [`InputError`] if q does not fit the model; [`Error::Open`] if φ does not go below 1e-11.
 ///
@@ -76,14 +81,22 @@ pub fn close_loops(
     let mut q = q.to_vec();
     let mut residual = closure_residual(model, &q, closures)?;
     let before = largest(&residual);
-    let mut steps = 0;
+    let (mut steps, mut lately) = (0, before);
     while largest(&residual) > CLOSED {
         if steps == MAX_STEPS {
             let after = largest(&residual);
             return Err(Error::Open { closure: worst(closures, &residual), before, after, steps });
         }
         let A = coupled(&closure_jacobian(model, &q, closures)?, model, reduction);
-        let v = shortest(&A, &residual)?;
+        let mut v = shortest(&A, &residual)?;
+        if steps % PATIENCE == PATIENCE - 1 {
+            if largest(&residual) > 0.5 * lately {
+                // A configuration from which the loops close to second order only, such as links in line: aside, always the same way.
+                let mut random = Random::new(steps as u64);
+                v.iter_mut().for_each(|v| *v += random.between(-KICK, KICK));
+            }
+            lately = largest(&residual);
+        }
         let longest = largest(&v);
         let scale = if longest > STRIDE { STRIDE / longest } else { 1.0 };
         let step: Vec<f64> = v.iter().map(|v| -scale * v).collect();
@@ -146,7 +159,12 @@ pub fn conditioning_closed(
     let kappa_weighted = if diagonal.iter().all(|&h| h > 0.0) {
         let own = among(&H, &A, &diagonal);
         let own = conditioning(&own.H, &one(own.H.rows()))?;
-        notes.extend(own.notes.into_iter().filter(|note| note.starts_with("λmin")).map(|n| n.replacen("λmin", "λ′min", 1)));
+        notes.extend(
+            own.notes
+                .into_iter()
+                .filter(|note| note.starts_with("λmin"))
+                .map(|n| n.replacen("λmin", "λ′min", 1)),
+        );
         ratio(own.lambda_max, own.lambda_min)
     } else {
         notes.push("a DoF has no inertia: κ′ does not exist".into());

@@ -113,7 +113,13 @@ struct Place {
 /// Two unit vectors at right angles to an axis and each other.
 fn across(axis: Vec3<f64>) -> Vec<Vec3<f64>> {
     let [x, y, z] = axis.to_array().map(f64::abs);
-    let other = if x <= y && x <= z { Vec3::X } else if y <= z { Vec3::Y } else { Vec3::Z };
+    let other = if x <= y && x <= z {
+        Vec3::X
+    } else if y <= z {
+        Vec3::Y
+    } else {
+        Vec3::Z
+    };
     let first = axis.cross(other);
     let first = first * (1.0 / first.norm());
     vec![first, axis.cross(first)]
@@ -150,11 +156,7 @@ fn rotation_vector(R: &Mat3<f64>) -> Vec3<f64> {
 /// | returned | the rows of every closure in turn, slides before turns | m, rad |
 ///
 /// Cost O(depth) a closure. Errors: [`InputError`] if q does not fit the model.
-pub fn closure_residual(
-    model: &Model<f64>,
-    q: &[f64],
-    closures: &[Closure],
-) -> Result<Vec<f64>, InputError> {
+pub fn closure_residual(model: &Model<f64>, q: &[f64], closures: &[Closure]) -> Result<Vec<f64>, InputError> {
     let mut rows = Vec::new();
     for closure in closures {
         let place = closure.place(model, q)?;

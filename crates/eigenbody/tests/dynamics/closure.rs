@@ -28,7 +28,8 @@ fn jacobian_is_the_derivative_of_the_residual() {
         let mut pick = |n: usize| random.between(0.0, n as f64) as usize;
         let links = [Some(pick(model.links().len())), (seed % 5 > 0).then(|| pick(model.links().len()))];
         let [w, x, y, z] = Random::new(seed + 99).quaternion();
-        let place = Transform::new(Mat3::rotation_quaternion(w, Vec3::new(x, y, z)), Vec3::new(0.3, -0.2, 0.5));
+        let place =
+            Transform::new(Mat3::rotation_quaternion(w, Vec3::new(x, y, z)), Vec3::new(0.3, -0.2, 0.5));
         let anchor = |link: Option<usize>| {
             let from_world = link.map_or(Transform::IDENTITY, |l| link_pose(&model, &q, l).unwrap());
             Anchor { link, pose: place * from_world.inverse() }
@@ -49,7 +50,10 @@ fn jacobian_is_the_derivative_of_the_residual() {
             for (k, rate) in A.times(&v).into_iter().enumerate() {
                 let difference = (after[k] - before[k]) / (2.0 * step);
                 // step² of the third derivative, and rounding over the step
-                assert!((rate - difference).abs() < 1e-7 * (1.0 + rate.abs()), "{tie:?}: {rate} {difference}");
+                assert!(
+                    (rate - difference).abs() < 1e-7 * (1.0 + rate.abs()),
+                    "{tie:?}: {rate} {difference}"
+                );
                 seen += usize::from(rate != 0.0);
             }
         }
@@ -88,7 +92,8 @@ fn four_bar() {
         assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");
         let mode = verdict.stiffest.unwrap();
         let size = rates.iter().map(|r| r * r).sum::<f64>().sqrt();
-        let mismatch = mode.iter().zip(rates).map(|(x, r)| (x.abs() - (r / size).abs()).abs()).fold(0.0, f64::max);
+        let mismatch =
+            mode.iter().zip(rates).map(|(x, r)| (x.abs() - (r / size).abs()).abs()).fold(0.0, f64::max);
         assert!(mismatch < 1e-10, "{mode:?} {rates:?}");
     }
 }
@@ -101,10 +106,8 @@ fn allowed_motions_against_another_library() {
         let q = configuration(&model, seed);
         let links = model.links().len();
         let [a, b] = [links - 1, links / 2];
-        let anchor = |link: usize| Anchor {
-            link: Some(link),
-            pose: link_pose(&model, &q, link).unwrap().inverse(),
-        };
+        let anchor =
+            |link: usize| Anchor { link: Some(link), pose: link_pose(&model, &q, link).unwrap().inverse() };
         let tie = Closure { name: "c".into(), tie: Tie::Ball, anchors: [anchor(a), anchor(b)] };
         let closures = [tie.clone(), tie];
         let metric = Metric::Length(0.4);
@@ -113,7 +116,10 @@ fn allowed_motions_against_another_library() {
         let B = metric.weights(&model, &H).unwrap();
         let A = closure_jacobian(&model, &q, &closures).unwrap();
         let n = model.nv();
-        let units = nalgebra::DMatrix::from_diagonal(&nalgebra::DVector::from_iterator(n, B.iter().map(|b| b.powf(-0.5))));
+        let units = nalgebra::DMatrix::from_diagonal(&nalgebra::DVector::from_iterator(
+            n,
+            B.iter().map(|b| b.powf(-0.5)),
+        ));
         let dense = |M: &Matrix<f64>| nalgebra::DMatrix::from_row_slice(M.rows(), M.cols(), M.as_slice());
         let scaled = dense(&A) * &units;
         let pairs = (scaled.transpose() * &scaled).symmetric_eigen();
@@ -122,7 +128,8 @@ fn allowed_motions_against_another_library() {
         let free: Vec<usize> = (0..n).filter(|&k| pairs.eigenvalues[k] <= cut).collect();
         assert_eq!((allowed.H.rows(), allowed.rank), (free.len(), n - free.len()), "{seed}");
         let N = &units * pairs.eigenvectors.select_columns(&free);
-        let mut expected: Vec<f64> = (N.transpose() * dense(&H) * &N).symmetric_eigenvalues().iter().copied().collect();
+        let mut expected: Vec<f64> =
+            (N.transpose() * dense(&H) * &N).symmetric_eigenvalues().iter().copied().collect();
         let mut found: Vec<f64> = dense(&allowed.H).symmetric_eigenvalues().iter().copied().collect();
         expected.sort_by(f64::total_cmp);
         found.sort_by(f64::total_cmp);
@@ -162,5 +169,8 @@ fn null_spaces_are_orthonormal() {
 fn loops_out_of_reach_are_an_error() {
     let (model, tip) = pinned(2, Vec3::new(2.5, 0.0, 0.0), Tie::Ball);
     let error = close_loops(&model, &[0.3, 0.4], &[tip], Reduction::default()).unwrap_err();
-    assert!(matches!(&error, Error::Open { closure, after, .. } if closure == "tip" && *after > 0.4), "{error}");
+    assert!(
+        matches!(&error, Error::Open { closure, after, .. } if closure == "tip" && *after > 0.4),
+        "{error}"
+    );
 }
