@@ -5,7 +5,7 @@ use crate::error::{FormatError, OneLine};
 use crate::location::Location;
 use crate::urdf::Rotor;
 use eigenbody::dynamics::Closure;
-use eigenbody::model::{Finding, Place};
+use eigenbody::model::{Finding, JointInfo, Place};
 use eigenbody::{Family, Model};
 use std::fmt;
 use std::path::PathBuf;
@@ -102,6 +102,51 @@ pub enum Note {
     },
 }
 
+impl Note {
+    /// A stable name of its kind.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NoName => "no-name",
+            Self::CrossedLimits { .. } => "crossed-limits",
+            Self::NoMass { .. } => "no-mass",
+            Self::PointMass { .. } => "point-mass",
+            Self::Rotor { .. } => "rotor",
+            Self::Loop { .. } => "loop",
+            Self::EqualityIgnored { .. } => "equality-ignored",
+            Self::ArmatureIgnored { .. } => "armature-ignored",
+            Self::OutsideWorld { .. } => "outside-world",
+        }
+    }
+
+    /// The link, joint or element that it is about.
+    pub fn subject(&self) -> &str {
+        match self {
+            Self::NoName => "",
+            Self::CrossedLimits { joint: name, .. }
+            | Self::Rotor { joint: name }
+            | Self::NoMass { link: name }
+            | Self::PointMass { link: name }
+            | Self::Loop { element: name }
+            | Self::EqualityIgnored { element: name }
+            | Self::ArmatureIgnored { element: name }
+            | Self::OutsideWorld { element: name } => name,
+        }
+    }
+}
+
+/// A finding or a note, with its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remark {
+    /// A stable name of its kind.
+    pub code: &'static str,
+    /// The link, joint or element that it is about; empty for the whole model.
+    pub subject: String,
+    /// Its file and place, if there is one.
+    pub place: Option<(String, Location)>,
+    /// In words.
+    pub text: String,
+}
+
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -147,6 +192,8 @@ pub(crate) struct Places {
     pub files: Vec<String>,
     pub links: Vec<(u32, Location)>,
     pub joints: Vec<(u32, Location)>,
+    /// Names of `joints`.
+    pub joint_names: Vec<String>,
 }
 
 impl Loaded {
@@ -236,14 +283,44 @@ impl Loaded {
         }
     }
 
-    /// What is suspicious about the model, and what its text says and it does not: each as [`warning`](Self::warning) prints it.
-    pub fn findings(&self) -> Vec<String> {
-        let of_model = self.model.findings().iter().map(|finding| self.warning(finding));
-        let of_text = self
-            .notes
-            .iter()
-            .map(|(file, at, note)| OneLine(format!("{file}:{at}: warning: {note}")).to_string());
+    /// What is suspicious about the model, and what its text says and it does not.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let of_model = self.model.findings().iter().map(|finding| Remark {
+            code: finding.code(),
+            subject: finding.subject().to_owned(),
+            place: self.place(finding.place()).map(|(file, at)| (file.to_owned(), at)),
+            text: finding.to_string(),
+        });
+        let of_text = self.notes.iter().map(|(file, at, note)| Remark {
+            code: note.code(),
+            subject: note.subject().to_owned(),
+            place: Some((file.clone(), *at)),
+            text: note.to_string(),
+        });
         of_model.chain(of_text).collect()
+    }
+
+    /// The same, each as [`warning`](Self::warning) prints it.
+    pub fn findings(&self) -> Vec<String> {
+        let line = |remark: Remark| {
+            let at = match remark.place {
+                Some((file, at)) => format!("{file}:{at}"),
+                None => self.name.clone(),
+            };
+            OneLine(format!("{at}: warning: {}", remark.text)).to_string()
+        };
+        self.remarks().into_iter().map(line).collect()
+    }
+
+    /// The file and the place of the joint that a degree of freedom belongs to, if there is one.
+    pub fn place_of_dof(&self, dof: &str) -> Option<(&str, Location)> {
+        let has = |joint: &&JointInfo<f64>| {
+            dof.starts_with(joint.name()) && joint.dofs().any(|d| self.model.dof_name(d) == dof)
+        };
+        let joint = self.model.joints().iter().find(has)?;
+        let k = self.places.joint_names.iter().position(|name| name == joint.name())?;
+        let (file, at) = *self.places.joints.get(k)?;
+        Some((self.places.files.get(file as usize)?, at))
     }
 
     /// `file:line:column: warning: text`, on one line.

@@ -11,16 +11,21 @@ mod info;
 mod matrix;
 mod number;
 mod reproduction;
+mod rules;
 mod spectrum;
 mod table;
 mod text;
 
-pub use diagnosis::{AddedReport, AdviceReport, DiagnosisReport, advice_text, diagnosis_text};
+pub use diagnosis::{
+    AddedReport, AdviceReport, Baseline, Change, Comparison, DiagnosisReport, FindingReport, Fixed, PlaceReport,
+    RemarkReport, State, WorstReport, advice_text, diagnosis_text,
+};
 pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::{AmongReport, MatrixReport};
 pub use number::significant;
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
+pub use rules::{OF_MODELS, OF_ROBOTS, Rule, rules};
 pub use spectrum::{CountReport, ErrorEstimate, LoopsReport, ModeReport, SpectrumReport, Subject};
 pub use table::write_table_csv;
 pub use text::{Mode, count, modes};

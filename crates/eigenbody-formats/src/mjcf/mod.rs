@@ -97,13 +97,14 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
             FormatError::Unsuitable { text: name.clone(), problem }
         }
     })?;
-    let Built { model, notes, reference, link_spots, joint_spots, closures } = built;
+    let Built { model, notes, reference, link_spots, joint_spots, joint_names, closures } = built;
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.0.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
+        joint_names,
     };
     let notes = notes.into_iter().map(|(at, note)| {
         let (file, at) = files.locate(at);
@@ -137,6 +138,7 @@ struct Built {
     reference: Vec<f64>,
     link_spots: Vec<Spot>,
     joint_spots: Vec<Spot>,
+    joint_names: Vec<String>,
     closures: Vec<Result<Closure, String>>,
 }
 
@@ -231,7 +233,7 @@ fn finish(
     }
     let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
     let closures = loops.iter().map(close).collect();
-    Ok(Built { model, notes, reference, link_spots, joint_spots, closures })
+    Ok(Built { model, notes, reference, link_spots, joint_spots, joint_names, closures })
 }
 
 /// What `<option>` says of gravity, if anything.

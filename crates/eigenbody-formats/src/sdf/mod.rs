@@ -80,12 +80,13 @@ fn read_text(text: String, path: &Path, options: &SdfOptions) -> Result<Loaded, 
         let problem = "a floating base needs exactly one link that no joint carries".to_owned();
         return Err(FormatError::Unsuitable { text: file_name, problem });
     }
-    let Built { model, link_spots, joint_spots, cut } =
+    let Built { model, link_spots, joint_spots, joint_names, cut } =
         parts.build(options.base).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.0.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
+        joint_names,
     };
     let note = |(at, closure): &(Spot, Closure)| {
         let (file, at) = files.locate(*at);

@@ -30,6 +30,7 @@ pub(super) struct Built {
     pub model: Model<f64>,
     pub link_spots: Vec<Spot>,
     pub joint_spots: Vec<Spot>,
+    pub joint_names: Vec<String>,
     /// Joints that close loops, with their places.
     pub cut: Vec<(Spot, Closure)>,
 }
@@ -233,6 +234,7 @@ impl<'a> Parts<'a> {
             };
             specs.push((spec, frame.at));
         }
+        let joint_names = specs.iter().map(|(spec, _)| spec.name.clone()).collect();
         for (spec, at) in specs {
             builder.joint(spec);
             joint_spots.push(at);
@@ -261,6 +263,6 @@ impl<'a> Parts<'a> {
             let name = format!("joint '{}'", frame.name);
             cut.push((frame.at, Closure { name, tie: motion.tie(), anchors }));
         }
-        Ok(Built { model, link_spots, joint_spots, cut })
+        Ok(Built { model, link_spots, joint_spots, joint_names, cut })
     }
 }
