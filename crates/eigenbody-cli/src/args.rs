@@ -264,7 +264,10 @@ impl FromStr for FailOn {
                 let known = |code: &String| rules().any(|rule| rule.code == code);
                 if let Some(code) = codes.iter().find(|code| !known(code)) {
                     let names: Vec<&str> = rules().map(|rule| rule.code).collect();
-                    return Err(format!("no level or finding is called '{code}': expected note, warning, error, never, or some of {}", names.join(", ")));
+                    return Err(format!(
+                        "no level or finding is called '{code}': expected note, warning, error, never, or some of {}",
+                        names.join(", ")
+                    ));
                 }
                 Self::Codes(codes)
             }

@@ -110,7 +110,8 @@ impl Keys {
             return Err((samples.span().start, what));
         }
         if let Some(metric) = &self.metric {
-            eigenbody_formats::metric(metric.get_ref()).map_err(|error| (metric.span().start, error.to_string()))?;
+            eigenbody_formats::metric(metric.get_ref())
+                .map_err(|error| (metric.span().start, error.to_string()))?;
         }
         Ok(Settings {
             path: Some(path),

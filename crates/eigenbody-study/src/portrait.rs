@@ -155,12 +155,7 @@ fn dof(model: &Model<f64>, d: usize, body: usize, S: &Motion<f64>) -> DofPlace {
 }
 
 /// Velocities of origins and centres while all DoFs move at rates v.
-fn velocities(
-    model: &Model<f64>,
-    bodies: &[BodyPlace],
-    S: &[Motion<f64>],
-    v: &[f64],
-) -> Vec<[[f64; 3]; 2]> {
+fn velocities(model: &Model<f64>, bodies: &[BodyPlace], S: &[Motion<f64>], v: &[f64]) -> Vec<[[f64; 3]; 2]> {
     let mut twists: Vec<(Vec3<f64>, Vec3<f64>)> = Vec::with_capacity(bodies.len());
     let mut found = Vec::with_capacity(bodies.len());
     for (body, place) in model.bodies().iter().zip(bodies) {

@@ -136,8 +136,11 @@ impl Baseline {
             message: old.message.clone(),
             identity: identity.clone(),
         });
-        let mended =
-            gone.map(|old| Fixed { id: old.code.clone(), message: old.message.clone(), identity: old.identity() });
+        let mended = gone.map(|old| Fixed {
+            id: old.code.clone(),
+            message: old.message.clone(),
+            identity: old.identity(),
+        });
         let measures = report.worst.iter().filter_map(|worst| {
             let old = self.worst.iter().find(|old| old.measure == worst.measure)?;
             Some(Change { measure: worst.measure.to_owned(), before: old.worst, after: worst.worst })

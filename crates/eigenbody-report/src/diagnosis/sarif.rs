@@ -44,8 +44,9 @@ impl DiagnosisReport {
         let spoken: BTreeSet<String> =
             results.iter().filter_map(|r| r["ruleId"].as_str().map(str::to_owned)).collect();
         let known = rules().filter(|rule| spoken.contains(rule.code));
-        let mut listed: Vec<Value> =
-            known.map(|rule| json!({ "id": rule.code, "shortDescription": { "text": rule.about } })).collect();
+        let mut listed: Vec<Value> = known
+            .map(|rule| json!({ "id": rule.code, "shortDescription": { "text": rule.about } }))
+            .collect();
         for code in &spoken {
             if !listed.iter().any(|rule| rule["id"] == code.as_str()) {
                 listed.push(json!({ "id": code, "shortDescription": { "text": code } }));
@@ -111,7 +112,9 @@ fn uri(path: &str) -> String {
     let mut uri = String::from(if path.starts_with('/') { "file://" } else { "" });
     for byte in path.bytes() {
         match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => uri.push(byte as char),
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => {
+                uri.push(byte as char)
+            }
             _ => uri.push_str(&format!("%{byte:02X}")),
         }
     }
@@ -122,7 +125,9 @@ fn uri(path: &str) -> String {
 fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     match letters.next() {
-        Some(first) if first.is_ascii_lowercase() => first.to_ascii_uppercase().to_string() + letters.as_str(),
+        Some(first) if first.is_ascii_lowercase() => {
+            first.to_ascii_uppercase().to_string() + letters.as_str()
+        }
         _ => text.to_owned(),
     }
 }

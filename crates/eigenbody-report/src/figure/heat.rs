@@ -113,7 +113,12 @@ impl Heat {
         scene.text((x + 20.0, y + 10.0), Anchor::Start, 12.0, &self.ends[1]);
         scene.text((x + 20.0, y + height), Anchor::Start, 12.0, &self.ends[0]);
         scene.shape(
-            &[(x, y + height + 14.0), (x + 14.0, y + height + 14.0), (x + 14.0, y + height + 28.0), (x, y + height + 28.0)],
+            &[
+                (x, y + height + 14.0),
+                (x + 14.0, y + height + 14.0),
+                (x + 14.0, y + height + 28.0),
+                (x, y + height + 28.0),
+            ],
             PAPER,
             INK,
             1.0,

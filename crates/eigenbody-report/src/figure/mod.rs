@@ -9,9 +9,9 @@ pub mod heat;
 pub mod mechanism;
 mod papers;
 mod plot;
-pub mod pose;
 #[cfg(feature = "png")]
 mod png;
+pub mod pose;
 mod scene;
 mod style;
 

@@ -100,7 +100,8 @@ pub fn scene(portrait: &Portrait, mode: Option<&ModePlace>) -> Scene {
     let listed = mode.map_or_else(Vec::new, largest);
     let rows = listed.len().div_ceil(2);
     let mut scene = Scene::new(2.0 * CELL, CELL + 30.0 + 22.0 * rows as f64);
-    let points: Vec<Vec3> = portrait.bodies.iter().flat_map(|b| [b.origin, b.centre]).chain([[0.0; 3]]).collect();
+    let points: Vec<Vec3> =
+        portrait.bodies.iter().flat_map(|b| [b.origin, b.centre]).chain([[0.0; 3]]).collect();
     let views = [
         View::from("from the front, left and above", unit([0.78, 0.55, 0.36])),
         View::from("from where it is widest", thinnest(&points)),
@@ -123,7 +124,8 @@ pub fn scene(portrait: &Portrait, mode: Option<&ModePlace>) -> Scene {
         let at = (40.0 + CELL * (number % 2) as f64, CELL + 34.0 + 22.0 * (number / 2) as f64);
         if let Some(mode) = mode {
             label(&mut scene, (at.0 - 14.0, at.1 - 5.0), number + 1);
-            let text = format!("{}  {:+.3}  ({:.0}%)", portrait.dofs[k].name, mode.rates[k], 100.0 * mode.shares[k]);
+            let text =
+                format!("{}  {:+.3}  ({:.0}%)", portrait.dofs[k].name, mode.rates[k], 100.0 * mode.shares[k]);
             scene.text(at, Anchor::Start, 13.0, &text.replace('-', "−"));
         }
     }
@@ -134,7 +136,13 @@ pub fn scene(portrait: &Portrait, mode: Option<&ModePlace>) -> Scene {
 fn largest(mode: &ModePlace) -> Vec<usize> {
     let mut order: Vec<usize> = (0..mode.shares.len()).collect();
     order.sort_by(|&a, &b| mode.shares[b].total_cmp(&mode.shares[a]));
-    order.into_iter().take(SHOWN).enumerate().filter(|&(place, k)| place == 0 || mode.shares[k] >= LEAST).map(|(_, k)| k).collect()
+    order
+        .into_iter()
+        .take(SHOWN)
+        .enumerate()
+        .filter(|&(place, k)| place == 0 || mode.shares[k] >= LEAST)
+        .map(|(_, k)| k)
+        .collect()
 }
 
 /// The direction along which points are spread least.
@@ -144,12 +152,13 @@ fn thinnest(points: &[Vec3]) -> Vec3 {
     let spread = |d: Vec3| points.iter().map(|&p| dot(add(p, mean, -1.0), d).powi(2)).sum::<f64>();
     // As good as an eigenvector for a picture, and the same wherever directions tie.
     let mut best = ([1.0, 0.0, 0.0], f64::INFINITY);
-    let candidates = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].into_iter().chain((0..400).map(|k| {
-        let z = 1.0 - (f64::from(k) + 0.5) / 400.0;
-        let (s, c) = (2.399_963_229_728_653 * f64::from(k)).sin_cos();
-        let r = (1.0 - z * z).sqrt();
-        [r * c, r * s, z]
-    }));
+    let candidates =
+        [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].into_iter().chain((0..400).map(|k| {
+            let z = 1.0 - (f64::from(k) + 0.5) / 400.0;
+            let (s, c) = (2.399_963_229_728_653 * f64::from(k)).sin_cos();
+            let r = (1.0 - z * z).sqrt();
+            [r * c, r * s, z]
+        }));
     for direction in candidates {
         let own = spread(direction);
         if own < best.1 * 0.98 {
@@ -209,7 +218,14 @@ fn moved(scene: &mut Scene, paper: &Paper<'_>, portrait: &Portrait, mode: &ModeP
 }
 
 /// The arrow of a joint, with its number.
-fn arrow(scene: &mut Scene, paper: &Paper<'_>, portrait: &Portrait, mode: &ModePlace, k: usize, number: usize) {
+fn arrow(
+    scene: &mut Scene,
+    paper: &Paper<'_>,
+    portrait: &Portrait,
+    mode: &ModePlace,
+    k: usize,
+    number: usize,
+) {
     let dof = &portrait.dofs[k];
     let Some(body) = portrait.bodies.get(dof.body) else { return };
     let from = paper.at(body.origin);
@@ -236,13 +252,18 @@ fn arrow(scene: &mut Scene, paper: &Paper<'_>, portrait: &Portrait, mode: &ModeP
             let back = 8.0 * f64::from(head);
             let point = (tip.0 - back * right / across, tip.1 + back * up / across);
             let (dx, dy) = (right / across, -up / across);
-            let barb = |side: f64| (point.0 - 10.0 * dx - side * 4.5 * dy, point.1 - 10.0 * dy + side * 4.5 * dx);
+            let barb =
+                |side: f64| (point.0 - 10.0 * dx - side * 4.5 * dy, point.1 - 10.0 * dy + side * 4.5 * dx);
             scene.shape(&[point, barb(1.0), barb(-1.0)], ARROW, ARROW, 0.5);
         }
     }
     // Numbers stand off the arrow's tip, those of one place one after the other.
     let turn = 0.9 * number as f64;
-    let away = if across < 0.25 { (15.0 * turn.cos(), 15.0 * turn.sin()) } else { (12.0 * right / across, -12.0 * up / across) };
+    let away = if across < 0.25 {
+        (15.0 * turn.cos(), 15.0 * turn.sin())
+    } else {
+        (12.0 * right / across, -12.0 * up / across)
+    };
     let base = if across < 0.25 { from } else { tip };
     label(scene, (base.0 + away.0, base.1 + away.1), number);
 }
