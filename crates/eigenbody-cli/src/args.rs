@@ -4,7 +4,10 @@ use clap::{Parser, Subcommand, ValueEnum};
 use eigenbody::Method;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::Precision;
+use eigenbody_report::rules;
+use eigenbody_study::diagnosis::Severity;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// How well-conditioned is a robot?
 ///
@@ -22,7 +25,9 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// What is wrong with a robot over all that its joints allow: the worst case, who is to blame, what to change.
-    Check(CheckArgs),
+    Check(CheckCommand),
+    /// The same as a page to keep: one HTML file with pictures, tables and how it was computed.
+    Report(ReportArgs),
     /// κ, κ', the bracket, λmin, λmax and the softest and stiffest mode in one configuration.
     Spectrum(SpectrumArgs),
     /// The mass matrix H itself.
@@ -73,6 +78,20 @@ pub struct RobotArgs {
     /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
     #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
     pub at: String,
+
+    /// Loops of MJCF (connect, weld) and SDF files: cut open, H is that of the tree, or closed, H is Nᵀ H N among the motions that
+    /// they allow, at the closed configuration near CONFIG.
+    #[arg(long, value_enum, value_name = "open|closed", default_value_t = Loops::Open)]
+    pub loops: Loops,
+}
+
+/// `--loops`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Loops {
+    /// Cut.
+    Open,
+    /// Closed.
+    Closed,
 }
 
 /// `eigenbody spectrum`.
@@ -142,17 +161,17 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub model: ModelArgs,
 
-    /// What counts as a unit of motion for κ and λmin: euclidean, or length=L (L metres count as a radian).
-    #[arg(long, default_value = "euclidean")]
-    pub metric: String,
+    /// What counts as a unit of motion for κ and λmin: euclidean, or length=L (L metres count as a radian) [default: euclidean].
+    #[arg(long)]
+    pub metric: Option<String>,
 
-    /// Configurations sampled before the search for the worst, at most 65536.
-    #[arg(long, value_name = "N", default_value_t = 2048, value_parser = clap::value_parser!(u32).range(1..=65536))]
-    pub samples: u32,
+    /// Configurations sampled before the search for the worst, at most 65536 [default: 2048].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: Option<u32>,
 
-    /// Another seed, other samples.
-    #[arg(long, default_value_t = 1)]
-    pub seed: u32,
+    /// Another seed, other samples [default: 1].
+    #[arg(long)]
+    pub seed: Option<u32>,
 
     /// A finding if κ' exceeds this anywhere: what solves in double precision feel.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
@@ -178,11 +197,28 @@ pub struct CheckArgs {
     #[arg(long, value_name = "FILE.xml")]
     pub write_patch: Option<PathBuf>,
 
-    /// The least severe finding for exit status 1.
-    #[arg(long, value_enum, default_value_t = FailOn::Warning)]
-    pub fail_on: FailOn,
+    /// Thresholds and the like, as a TOML file; without it, the eigenbody.toml nearest above the model.
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
 
-    /// A page for people, or JSON.
+    /// An earlier `--format json`: says what is new, what got worse and what is gone.
+    #[arg(long, value_name = "FILE")]
+    pub baseline: Option<PathBuf>,
+}
+
+/// `eigenbody check`: what to examine, and what to make of it.
+#[derive(Debug, clap::Args)]
+pub struct CheckCommand {
+    /// What to examine.
+    #[command(flatten)]
+    pub check: CheckArgs,
+
+    /// Exit status 1 for: findings of this level or graver (note, warning, error), for none (never), or for some by name
+    /// (solves,loop). With --baseline only new and worse ones count [default: warning].
+    #[arg(long, value_name = "LEVEL|CODE,..")]
+    pub fail_on: Option<FailOn>,
+
+    /// A page for the terminal, JSON, SARIF for code hosts, or an HTML page.
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
     pub format: CheckFormat,
 
@@ -191,15 +227,52 @@ pub struct CheckArgs {
     pub output: Option<PathBuf>,
 }
 
+/// `eigenbody report`.
+#[derive(Debug, clap::Args)]
+pub struct ReportArgs {
+    /// What to examine.
+    #[command(flatten)]
+    pub check: CheckArgs,
+
+    /// The file to write.
+    #[arg(short, long, value_name = "FILE", default_value = "report.html")]
+    pub output: PathBuf,
+}
+
 /// `--fail-on`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FailOn {
-    /// Any warning or error.
-    Warning,
-    /// Errors only.
-    Error,
+    /// Findings of this level or graver.
+    Level(Severity),
+    /// Findings with these names.
+    Codes(Vec<String>),
     /// Nothing: always 0, but for status 2.
     Never,
+}
+
+impl FromStr for FailOn {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(match text {
+            "note" => Self::Level(Severity::Note),
+            "warning" => Self::Level(Severity::Warning),
+            "error" => Self::Level(Severity::Error),
+            "never" => Self::Never,
+            codes => {
+                let codes: Vec<String> = codes.split(',').map(|code| code.trim().to_owned()).collect();
+                let known = |code: &String| rules().any(|rule| rule.code == code);
+                if let Some(code) = codes.iter().find(|code| !known(code)) {
+                    let names: Vec<&str> = rules().map(|rule| rule.code).collect();
+                    return Err(format!(
+                        "no level or finding is called '{code}': expected note, warning, error, never, or some of {}",
+                        names.join(", ")
+                    ));
+                }
+                Self::Codes(codes)
+            }
+        })
+    }
 }
 
 /// `--format`.
@@ -209,6 +282,10 @@ pub enum CheckFormat {
     Human,
     /// JSON, floats that parse back to the same bits.
     Json,
+    /// SARIF 2.1.0.
+    Sarif,
+    /// One HTML file.
+    Html,
 }
 
 /// `eigenbody reproduce`.

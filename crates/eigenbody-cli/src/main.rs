@@ -11,6 +11,7 @@ mod args;
 mod commands;
 mod failure;
 mod output;
+mod settings;
 mod system;
 
 use args::{Args, Command};
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
     let result = match &args.command {
         None => commands::welcome::run().map(|()| true),
         Some(Command::Check(check)) => commands::check::run(check),
+        Some(Command::Report(report)) => commands::check::page(report).map(|()| true),
         Some(Command::Spectrum(spectrum)) => commands::spectrum::run(spectrum).map(|()| true),
         Some(Command::Matrix(matrix)) => commands::matrix::run(matrix).map(|()| true),
         Some(Command::Reproduce(reproduce)) => commands::reproduce::run(reproduce),

@@ -12,6 +12,7 @@ mod expression;
 mod hostile;
 mod metric;
 mod mjcf;
+mod mutation;
 mod sdf;
 mod source;
 mod urdf;

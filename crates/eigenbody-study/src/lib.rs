@@ -26,6 +26,7 @@ mod experiment;
 pub mod featherstone;
 pub mod fit;
 mod lab;
+pub mod portrait;
 pub mod shah_saha;
 pub mod simulate;
 mod table;

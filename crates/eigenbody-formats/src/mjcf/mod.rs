@@ -12,6 +12,7 @@ mod attach;
 mod attribute;
 mod body;
 mod build;
+mod closure;
 mod compiler;
 mod coupling;
 mod defaults;
@@ -37,10 +38,12 @@ use crate::xml::{Files, Spot};
 use asset::Assets;
 use attribute::{array, keyword};
 use build::{Parts, can_float, parts};
+use closure::Loop;
 use compiler::Compiler;
 use coupling::{Couplings, Sections};
 use defaults::Defaults;
 use document::{Document, Model as Source};
+use eigenbody::dynamics::Closure;
 use eigenbody::model::{MimicSpec, Place};
 use eigenbody::spatial::Vec3;
 use eigenbody::{Base, BuildError, Model};
@@ -94,20 +97,22 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
             FormatError::Unsuitable { text: name.clone(), problem }
         }
     })?;
-    let Built { model, notes, reference, link_spots, joint_spots } = built;
+    let Built { model, notes, reference, link_spots, joint_spots, joint_names, closures } = built;
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.0.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
+        joint_names,
     };
     let notes = notes.into_iter().map(|(at, note)| {
         let (file, at) = files.locate(at);
         (file.to_owned(), at, note)
     });
     let kind = Kind::File(path.to_owned());
-    Ok(Loaded { notes: notes.collect(), keyframes, mimic: false, ..Loaded::new(model, name, kind, places) })
+    let notes = notes.collect();
+    Ok(Loaded { notes, keyframes, closures, mimic: false, ..Loaded::new(model, name, kind, places) })
 }
 
 /// A fault with its place as text.
@@ -133,6 +138,8 @@ struct Built {
     reference: Vec<f64>,
     link_spots: Vec<Spot>,
     joint_spots: Vec<Spot>,
+    joint_names: Vec<String>,
+    closures: Vec<Result<Closure, String>>,
 }
 
 fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> Result<Built, Problem> {
@@ -162,7 +169,7 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
         let defaults = Defaults::read(&model.root, files)?;
         couplings.add(&Sections { root: &model.root, defaults: &defaults, prefix, joints: &parts.known })?;
     }
-    let Couplings { follow, armature, notes } = couplings;
+    let Couplings { follow, armature, loops, notes } = couplings;
     for (joint, extra) in armature {
         let spec = &mut parts.joints[joint];
         spec.armature.resize(spec.kind.nv(), 0.0);
@@ -173,19 +180,29 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
         parts.joints[f.joint].mimic =
             Some(MimicSpec { joint: leader, multiplier: f.multiplier, offset: f.offset });
     }
-    finish(parts, notes, root.at, options.base, files)
+    finish(parts, notes, &loops, root.at, options.base, files)
 }
 
 /// The model of the parts.
 fn finish(
     parts: Parts,
     notes: Vec<(Spot, Note)>,
+    loops: &[Loop],
     root: Spot,
     base: Base,
     files: &Files,
 ) -> Result<Built, Problem> {
-    let Parts { mut builder, joints, link_names, link_spots, joint_spots, reference, base_armature, .. } =
-        parts;
+    let Parts {
+        mut builder,
+        joints,
+        link_names,
+        link_spots,
+        joint_spots,
+        reference,
+        base_armature,
+        frames,
+        ..
+    } = parts;
     let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
     joints.into_iter().for_each(|joint| {
         builder.joint(joint);
@@ -214,7 +231,9 @@ fn finish(
         // One number a DoF, none negative: it cannot be refused.
         model = model.clone().with_armature(armature).unwrap_or(model);
     }
-    Ok(Built { model, notes, reference, link_spots, joint_spots })
+    let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
+    let closures = loops.iter().map(close).collect();
+    Ok(Built { model, notes, reference, link_spots, joint_spots, joint_names, closures })
 }
 
 /// What `<option>` says of gravity, if anything.

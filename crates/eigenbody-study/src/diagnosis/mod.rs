@@ -15,6 +15,7 @@ mod finding;
 mod rest;
 
 pub use advise::{Added, Advice, Goal, least_armature};
+pub(crate) use blame::softest;
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
 pub use finding::{Finding, Limits, Severity, Use};

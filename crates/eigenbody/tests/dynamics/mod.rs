@@ -2,6 +2,7 @@
 
 mod aba;
 mod bias;
+mod closure;
 mod crba;
 mod denoc;
 mod energy;
