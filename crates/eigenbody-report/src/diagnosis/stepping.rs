@@ -143,12 +143,21 @@ impl From<&Stepping> for SteppingReport {
 /// A time: seconds, milli-, micro- or nanoseconds.
 pub(super) fn time(seconds: f64) -> String {
     match seconds {
-        t if !t.is_finite() => "any".into(),
-        t if t >= 1.0 => format!("{} s", number(t)),
-        t if t >= 1e-3 => format!("{} ms", number(1e3 * t)),
-        t if t >= 1e-6 => format!("{} µs", number(1e6 * t)),
-        0.0 => "none".into(),
-        t => format!("{} ns", number(1e9 * t)),
+        t if !t.is_finite() => "without limit".into(),
+        t if t >= 1.0 => format!("{} s", short(t)),
+        t if t >= 1e-3 => format!("{} ms", short(1e3 * t)),
+        t if t >= 1e-6 => format!("{} µs", short(1e6 * t)),
+        t if t >= 1e-9 => format!("{} ns", short(1e9 * t)),
+        _ => "below 1 ns".into(),
+    }
+}
+
+/// Three digits, without zeros at the end.
+fn short(x: f64) -> String {
+    let text = number(x);
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
     }
 }
 
@@ -178,9 +187,9 @@ pub(super) fn stepping_text(found: &Stepping) -> String {
         bears.filter(|(gain, _)| gain.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))
     };
     if let (Some(step), Some((kp, joint))) = (found.step, least(0)) {
-        let mut gains = format!("kp {}", number(kp));
+        let mut gains = format!("kp {}", short(kp));
         if let Some((kd, _)) = least(1) {
-            let _ = write!(gains, ", kd {}", number(kd));
+            let _ = write!(gains, ", kd {}", short(kd));
         }
         let _ = write!(
             text,
@@ -190,9 +199,9 @@ pub(super) fn stepping_text(found: &Stepping) -> String {
             joint.joint
         );
         if let Some(ModeGains { bears: Some([kp, kd]), .. }) = found.modes.first() {
-            let _ = write!(text, ", kp {}", number(*kp));
+            let _ = write!(text, ", kp {}", short(*kp));
             if kd.is_finite() {
-                let _ = write!(text, ", kd {}", number(*kd));
+                let _ = write!(text, ", kd {}", short(*kd));
             }
             text.push_str(" on all joints");
         }

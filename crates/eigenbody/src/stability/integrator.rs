@@ -25,9 +25,9 @@ impl Integrator {
     pub fn name(self) -> &'static str {
         match self {
             Self::SemiImplicitEuler => "semi-implicit Euler",
-            Self::DampedEuler => "Euler, joint damping implicit",
+            Self::DampedEuler => "damped Euler",
             Self::ImplicitVelocity => "implicit in velocity",
-            Self::RungeKutta4 => "Runge-Kutta 4",
+            Self::RungeKutta4 => "RK4",
         }
     }
 

@@ -32,7 +32,8 @@ pub use impedance::{Impedance, Spring, SpringSource};
 pub use integrator::Integrator;
 pub use rk4::{IMAGINARY_LIMIT, REAL_LIMIT};
 
-use crate::error::{Error, InputError};
+use crate::error::{Error, InputError, NotPositiveDefinite};
+use crate::factor::Cholesky;
 use crate::matrix::Matrix;
 
 /// The largest stable step in one configuration, and the motion that sets it.
@@ -76,9 +77,25 @@ pub fn largest_step(
     if impedance.len() != expected {
         return Err(InputError::Length { what: "impedance", expected, found: impedance.len() }.into());
     }
+    resolved(H)?;
     match integrator.implicit_part(impedance) {
         Some(implicit) => euler::largest_step(H, impedance, &implicit),
         None => rk4::largest_step(H, impedance),
+    }
+}
+
+/// Refuses a matrix whose Cholesky pivots are rounding: the step that it bears is not known.
+fn resolved(H: &Matrix<f64>) -> Result<(), Error> {
+    let n = H.rows();
+    let mut factor = Cholesky::new(n);
+    factor.factor(H)?;
+    let lost = |dof: &usize| {
+        let pivot = factor.l()[(*dof, *dof)].powi(2);
+        pivot <= 4.0 * n as f64 * f64::EPSILON * H[(*dof, *dof)]
+    };
+    match (0..n).find(lost) {
+        Some(dof) => Err(NotPositiveDefinite { dof, pivot: factor.l()[(dof, dof)].powi(2) }.into()),
+        None => Ok(()),
     }
 }
 
