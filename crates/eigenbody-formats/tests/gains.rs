@@ -22,7 +22,7 @@ fn what_is_no_gain_is_refused() {
     let model = arm();
     let error = |text| gains(text, &model).unwrap_err().to_string();
     assert_snapshot!(error("-1"), @"-1, column 1: gain -1, expected none below zero");
-    assert_snapshot!(error(""), @"empty text, column 1: expected a number");
+    assert_snapshot!(error(""), @"empty text, column 1: the text ends here; expected a number such as 0.3 or pi/2");
     assert_snapshot!(error("wing=1"), @"wing=1, column 1: no moving joint is named 'wing'");
     assert_snapshot!(error("5 6"), @"5 6, column 3: expected the end, found '6'");
 }

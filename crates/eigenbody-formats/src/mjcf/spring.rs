@@ -250,15 +250,23 @@ struct Feedback {
 }
 
 impl Feedback {
-    /// Element by element, the outermost class first: each sets what its shorthand sets, as MuJoCo does.
+    /// Element by element, the outermost class first: each sets what its shorthand sets, as MuJoCo does. One kind of shorthand
+    /// forgets what another one set; `general` forgets nothing.
     fn read(styled: &Styled<'_>) -> Result<Self, Fault> {
         let mut layers: Vec<&Element> = styled.layers().collect();
         layers.reverse();
         let (mut gain, mut bias, mut affine, mut known) = (1.0, [0.0; 3], false, true);
+        let mut kind: Option<&str> = None;
         for element in layers {
             let tag = element.tag.as_str();
             let of = |name: &str| number(element.find(name), tag);
             known = true;
+            if tag != "general" {
+                if kind.is_some_and(|kind| kind != tag) {
+                    (gain, bias) = (1.0, [0.0; 3]);
+                }
+                kind = Some(tag);
+            }
             match tag {
                 "general" => {
                     if let Some(prm) = numbers(element.find("gainprm"), tag, 1..=10)? {
@@ -287,7 +295,7 @@ impl Feedback {
                     affine = true;
                 }
                 "velocity" => {
-                    gain = of("kv")?.unwrap_or(1.0);
+                    gain = of("kv")?.unwrap_or(gain);
                     (bias, affine) = ([0.0, 0.0, -gain], true);
                 }
                 "cylinder" => {

@@ -6,6 +6,7 @@ mod faults;
 mod files;
 mod matrices;
 mod names;
+mod springs;
 
 use eigenbody_formats::{Loaded, MjcfOptions, read_mjcf_str};
 
