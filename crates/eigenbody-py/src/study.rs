@@ -3,8 +3,9 @@
 use crate::error::Failure;
 use crate::model::Model;
 use eigenbody::search::{Effort, survey};
+use eigenbody_formats::{Loaded, Stepping};
 use eigenbody_report::{DiagnosisReport, claims_json};
-use eigenbody_study::diagnosis::{Limits, Question, diagnose};
+use eigenbody_study::diagnosis::{Drive, Limits, Question, diagnose};
 use eigenbody_study::{Lab, select};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -22,6 +23,15 @@ fn positive(what: &str, given: Option<f64>, default: f64) -> Result<f64, Failure
         None => Ok(default),
         Some(x) if x > 0.0 && x.is_finite() => Ok(x),
         Some(x) => Err(Failure::input(what, format!("{x}, expected a positive number"))),
+    }
+}
+
+/// How a robot's own file drives and steps it.
+fn drive(loaded: &Loaded) -> Drive {
+    let springs = loaded.springs.clone();
+    match loaded.stepping {
+        Some(Stepping { step, integrator }) => Drive { springs, step: Some(step), integrator },
+        None => Drive { springs, ..Drive::default() },
     }
 }
 
@@ -45,6 +55,7 @@ pub fn check<'py>(
         metric: eigenbody_formats::metric(metric)?,
         effort: effort(look)?,
         limits,
+        drive: shared.loaded.as_ref().map(drive).unwrap_or_default(),
     };
     let found = py.detach(|| diagnose(&shared.robot.model, &question, |_| ()))?;
     let report = DiagnosisReport::new(&shared.name, &found, shared.findings.clone());
