@@ -158,14 +158,13 @@ fn tangent_rates_are_velocities() {
             let v: Vec<Dd> = numbers(model.nv(), 70 + round as u64);
             let mut rate = v.clone();
             joint.tangent_rate(&theta, &v, &mut rate);
-            let along = |a: &[Dd], b: &[Dd]| -> Vec<Dd> {
-                a.iter().zip(b).map(|(&a, &b)| a + delta * b).collect()
-            };
+            let along =
+                |a: &[Dd], b: &[Dd]| -> Vec<Dd> { a.iter().zip(b).map(|(&a, &b)| a + delta * b).collect() };
             let inside = model.integrate(&q, &along(&theta, &rate)).unwrap();
             let zero = vec![Dd::ZERO; v.len()];
-            let outside =
-                model.integrate(&model.integrate(&q, &theta).unwrap(), &along(&zero, &v)).unwrap();
-            let error = distance(&link_pose(&model, &inside, 1).unwrap(), &link_pose(&model, &outside, 1).unwrap());
+            let outside = model.integrate(&model.integrate(&q, &theta).unwrap(), &along(&zero, &v)).unwrap();
+            let error =
+                distance(&link_pose(&model, &inside, 1).unwrap(), &link_pose(&model, &outside, 1).unwrap());
             assert!(error <= 100.0 * 1e-24, "{} at {turn}: {error:e}", joint.kind());
         }
     }
@@ -193,7 +192,11 @@ fn duals_are_transposes() {
             joint.dexp_dual(&u, &dual, &mut back);
             let error = back.iter().zip(&f).fold(0.0f64, |m, (&a, &b)| m.max((a - b).abs().to_f64()));
             // both series are cut, at 1e-24 and, for |u| = 4.3, at 4.3³⁰/31!
-            assert!(error <= 1e-12f64.min(1e-21 + 1e-15 * turn.powi(20)), "{} at {turn}: {error:e}", joint.kind());
+            assert!(
+                error <= 1e-12f64.min(1e-21 + 1e-15 * turn.powi(20)),
+                "{} at {turn}: {error:e}",
+                joint.kind()
+            );
         }
     }
 }
