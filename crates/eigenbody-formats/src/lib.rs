@@ -43,7 +43,7 @@ mod xml;
 pub use configuration::configuration;
 pub use error::{FileFault, FormatError};
 pub use expression::ExpressionError;
-pub use loaded::{Keyframe, Kind, Loaded, Note};
+pub use loaded::{Keyframe, Kind, Loaded, Note, Stepping};
 pub use location::Location;
 pub use metric::metric;
 pub use mjcf::{MjcfOptions, read_mjcf, read_mjcf_str};

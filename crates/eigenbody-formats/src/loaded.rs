@@ -5,6 +5,7 @@ use crate::error::{FormatError, OneLine};
 use crate::location::Location;
 use crate::urdf::Rotor;
 use eigenbody::model::{Finding, Place};
+use eigenbody::stability::{Integrator, Spring};
 use eigenbody::{Family, Model};
 use std::fmt;
 use std::path::PathBuf;
@@ -23,6 +24,10 @@ pub struct Loaded {
     pub mimic: bool,
     /// Rotor inertias that the file gives; [`with_rotors`](Self::with_rotors) adds them.
     pub rotors: Vec<Rotor>,
+    /// Springs, dampers and feedback of actuators that the file gives.
+    pub springs: Vec<Spring>,
+    /// How the file's own engine steps.
+    pub stepping: Option<Stepping>,
     pub(crate) keyframes: Vec<Keyframe>,
     pub(crate) notes: Vec<(String, Location, Note)>,
     pub(crate) places: Places,
@@ -37,6 +42,22 @@ pub enum Kind {
     BuiltIn,
     /// A file.
     File(PathBuf),
+}
+
+/// A time step and an integrator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stepping {
+    /// Length of a step (s).
+    pub step: f64,
+    /// How it is made.
+    pub integrator: Integrator,
+}
+
+impl Default for Stepping {
+    /// MuJoCo's own: 2 ms, joint damping implicit.
+    fn default() -> Self {
+        Self { step: 0.002, integrator: Integrator::DampedEuler }
+    }
 }
 
 /// A configuration with a name.
@@ -92,6 +113,11 @@ pub enum Note {
         /// The element.
         element: String,
     },
+    /// Stiffness, damping or feedback along something else than joints and fixed tendons, or of another kind than linear.
+    SpringIgnored {
+        /// The element.
+        element: String,
+    },
     /// A body outside `<worldbody>`, which MuJoCo passes over.
     OutsideWorld {
         /// The element.
@@ -125,6 +151,9 @@ impl fmt::Display for Note {
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
             }
+            Self::SpringIgnored { element } => {
+                write!(f, "{element} has stiffness, damping or feedback that time steps are judged without")
+            }
             Self::OutsideWorld { element } => {
                 write!(f, "{element} stands outside <worldbody> and is passed over")
             }
@@ -151,6 +180,8 @@ impl Loaded {
             kind,
             mimic: true,
             rotors: Vec::new(),
+            springs: Vec::new(),
+            stepping: None,
             keyframes: Vec::new(),
             notes: Vec::new(),
             places,

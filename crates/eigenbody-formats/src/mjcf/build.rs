@@ -7,6 +7,7 @@ use super::body::{Body, Joint, Motion, Tree, WORLD};
 use super::coupling::Known;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mass::{self, Mass};
+use super::spring::JointSpring;
 use crate::write::quaternion;
 use crate::xml::{Element, Spot};
 use eigenbody::model::{JointSpec, LinkId};
@@ -28,6 +29,8 @@ pub(super) struct Parts {
     pub known: HashMap<String, Vec<Known>>,
     /// Armature of the root's own free joint, which became the floating base.
     pub base_armature: f64,
+    /// Springs of joints, by the joint's position.
+    pub springs: Vec<(usize, JointSpring)>,
     names: Names,
 }
 
@@ -67,6 +70,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
         reference: Vec::new(),
         known: HashMap::new(),
         base_armature: 0.0,
+        springs: Vec::new(),
         names: Names::reserving(tree, &order),
     };
     let mut placed: HashMap<usize, Placed> = HashMap::with_capacity(order.len() + 1);
@@ -262,6 +266,7 @@ impl Parts {
         for name in names.into_iter().flatten() {
             self.known.entry(name.clone()).or_default().push(known);
         }
+        self.springs.push((number, joint.spring));
         let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature; kind.nv()] };
         self.joint_spots.push(joint.at);
         self.joints.push(JointSpec {
