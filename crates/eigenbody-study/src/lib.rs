@@ -19,7 +19,6 @@
 // H is the book's symbol.
 #![allow(non_snake_case)]
 
-mod cholesky;
 pub mod claim;
 pub mod diagnosis;
 pub mod estimators;
@@ -31,7 +30,6 @@ pub mod shah_saha;
 pub mod simulate;
 mod table;
 
-pub use cholesky::Cholesky;
 pub use claim::{CLAIMS, Check, Claim, Kind, Reading, Verdict};
 pub use experiment::{EXPERIMENTS, Experiment, Outcome, Paper, UnknownId, select};
 pub use lab::{Bench, Lab, Robots, StudyError};

@@ -1,10 +1,9 @@
 //! Accelerations by one of several algorithms.
 
-use crate::cholesky::Cholesky;
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into, mass_matrix_into,
 };
-use eigenbody::factor::Ltl;
+use eigenbody::factor::{Cholesky, Ltl};
 use eigenbody::model::Coupling;
 use eigenbody::{Error, Matrix, Model};
 
@@ -25,7 +24,7 @@ pub enum Algorithm {
 pub(super) enum Accelerator<'m> {
     Aba { model: &'m Model<f64>, room: Box<AbaWorkspace<f64>> },
     Crba { matrix: Bias<'m>, ltl: Ltl<'m, f64> },
-    Coupled { matrix: Bias<'m>, coupling: &'m Coupling<f64> },
+    Coupled { matrix: Bias<'m>, coupling: &'m Coupling<f64>, cholesky: Cholesky<f64> },
 }
 
 /// H and C.
@@ -62,7 +61,10 @@ impl<'m> Accelerator<'m> {
                 Self::Aba { model, room: Box::new(AbaWorkspace::new(model)) }
             }
             (Algorithm::CrbaLtl, _) => Self::Crba { matrix: Bias::new(model)?, ltl: Ltl::new(model.dofs()) },
-            (Algorithm::Coupled, Some(coupling)) => Self::Coupled { matrix: Bias::new(model)?, coupling },
+            (Algorithm::Coupled, Some(coupling)) => {
+                let cholesky = Cholesky::new(coupling.nv());
+                Self::Coupled { matrix: Bias::new(model)?, coupling, cholesky }
+            }
         })
     }
 
@@ -75,10 +77,11 @@ impl<'m> Accelerator<'m> {
                 ltl.factor(&matrix.H)?;
                 ltl.solve(vdot)
             }
-            Self::Coupled { matrix, coupling } => {
+            Self::Coupled { matrix, coupling, cholesky } => {
                 matrix.update(q, v, tau, vdot)?;
                 let mut x = coupling.pull_back(vdot);
-                Cholesky::new(&coupling.reduce(&matrix.H))?.solve(&mut x);
+                cholesky.factor(&coupling.reduce(&matrix.H))?;
+                cholesky.solve(&mut x)?;
                 vdot.copy_from_slice(&coupling.push_forward(&x));
                 Ok(())
             }
