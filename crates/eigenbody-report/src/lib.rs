@@ -11,6 +11,7 @@ mod info;
 mod matrix;
 mod number;
 mod reproduction;
+mod rows;
 mod spectrum;
 mod table;
 mod text;
@@ -21,6 +22,9 @@ pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;
 pub use number::significant;
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
+#[cfg(feature = "parquet")]
+pub use rows::{ParquetFailure, write_parquet};
+pub use rows::{RowsCsv, read_rows};
 pub use spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
 pub use table::write_table_csv;
 pub use text::{Mode, count, modes};
