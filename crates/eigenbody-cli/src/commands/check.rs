@@ -1,5 +1,7 @@
 //! `eigenbody check`.
 
+use super::drive::drive;
+use super::positive;
 use crate::args::{CheckArgs, CheckFormat, FailOn};
 use crate::failure::Failure;
 use crate::output::deliver;
@@ -20,7 +22,8 @@ pub fn run(args: &CheckArgs) -> Result<bool, Failure> {
     let (loaded, reduction) = robot(&args.model)?;
     let model = &loaded.model;
     let effort = Effort { samples: args.samples, seed: args.seed, ..Effort::default() };
-    let question = Question { reduction, metric, effort, limits };
+    let drive = drive(&args.gains, &loaded)?;
+    let question = Question { reduction, metric, effort, limits, drive };
     let bar = progress();
     let found = diagnose(model, &question, |evaluated| bar.inc(evaluated as u64));
     bar.finish_and_clear();
@@ -79,13 +82,6 @@ fn advise(
         deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
     }
     Ok(Some(advice))
-}
-
-fn positive(option: &str, x: f64) -> Result<f64, Failure> {
-    match x > 0.0 && x.is_finite() {
-        true => Ok(x),
-        false => Err(Failure::Usage(format!("{option} {x}: expected a positive number"))),
-    }
 }
 
 fn limits(args: &CheckArgs) -> Result<Limits, Failure> {
