@@ -1,10 +1,11 @@
 //! Forces on the joints, gravity aside.
 //!
 //! ```text
-//! τ = −damping v − stiffness (q ⊖ rest) + kp (target(t) ⊖ q) + kd (target'(t) − v) + torque(t)
+//! l = Σ a_d (q ⊖ rest)_d      τ_d = −Σ a_d (k l + c l̇) + kp_d (target(t) ⊖ q)_d + kd_d (target'(t) − v)_d + torque_d(t)
 //! ```
 
 use super::trajectory::Trajectory;
+use eigenbody::stability::{Spring, SpringSource};
 use eigenbody::{InputError, Model, mass_matrix};
 
 /// A controller that pulls to a posture or along a trajectory.
@@ -42,16 +43,24 @@ impl Controller {
 /// All forces on the joints but gravity. Empty lists and none: no such force.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Forces {
-    /// nv: viscous damping (N m s/rad, N s/m).
-    pub damping: Vec<f64>,
-    /// nv: springs (N m/rad, N/m).
-    pub stiffness: Vec<f64>,
-    /// nq: where the springs are slack.
+    /// Springs and dampers: those of a robot's file, or [`joint_springs`].
+    pub springs: Vec<Spring>,
+    /// nq: where the springs are slack. May be empty where none is stiff.
     pub rest: Vec<f64>,
     /// A controller.
     pub controller: Option<Controller>,
     /// External forces over time, nv a row (N m, N).
     pub torque: Option<Trajectory>,
+}
+
+/// The same spring and damper on every degree of freedom but those of a floating base.
+pub fn joint_springs(model: &Model<f64>, stiffness: f64, damping: f64) -> Vec<Spring> {
+    let base = if model.has_floating_base() { 6 } else { 0 };
+    let spring = |d| {
+        let (name, arms) = (model.dof_name(d), vec![(d, 1.0)]);
+        Spring { name, source: SpringSource::Joint, arms, stiffness, damping }
+    };
+    (base..model.nv()).map(spring).collect()
 }
 
 /// Forces with room to evaluate them.
@@ -64,10 +73,16 @@ pub(super) struct Acting {
 
 impl Acting {
     pub fn new(model: &Model<f64>, forces: Forces) -> Result<Self, InputError> {
-        let fits = |what, x: &[f64]| if x.is_empty() { Ok(()) } else { model.check_v(what, x) };
-        fits("damping", &forces.damping)?;
-        fits("stiffness", &forces.stiffness)?;
-        if !forces.stiffness.is_empty() {
+        for spring in &forces.springs {
+            if let Some(&(d, _)) = spring.arms.iter().find(|(d, _)| *d >= model.nv()) {
+                return Err(InputError::Length {
+                    what: "arms of a spring",
+                    expected: model.nv(),
+                    found: d + 1,
+                });
+            }
+        }
+        if forces.springs.iter().any(|spring| spring.stiffness != 0.0) {
             model.check_q(&forces.rest)?;
         }
         if let Some(controller) = &forces.controller {
@@ -88,14 +103,14 @@ impl Acting {
             Some(torque) => torque.numbers(t, tau),
             None => tau.fill(0.0),
         }
-        for ((tau, damping), v) in tau.iter_mut().zip(&forces.damping).zip(v) {
-            *tau -= damping * v;
-        }
-        if !forces.stiffness.is_empty() {
+        if forces.rest.is_empty() {
+            way.fill(0.0);
+        } else {
             model.difference_into(&forces.rest, q, way);
-            for ((tau, stiffness), x) in tau.iter_mut().zip(&forces.stiffness).zip(&*way) {
-                *tau -= stiffness * x;
-            }
+        }
+        for Spring { arms, stiffness, damping, .. } in &forces.springs {
+            let force = arms.iter().fold(0.0, |sum, &(d, a)| sum + a * (stiffness * way[d] + damping * v[d]));
+            arms.iter().for_each(|&(d, a)| tau[d] -= a * force);
         }
         if let Some(Controller { target, kp, kd }) = &forces.controller {
             target.configuration(model, t, other, way);

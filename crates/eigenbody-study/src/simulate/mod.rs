@@ -27,7 +27,7 @@ mod trajectory;
 pub use acceleration::Algorithm;
 pub use error::SimulationError;
 pub use event::{Event, Watch, joint_limits};
-pub use force::{Controller, Forces};
+pub use force::{Controller, Forces, joint_springs};
 pub use tableau::{DORMAND_PRINCE, RK4, Tableau};
 pub use trajectory::Trajectory;
 

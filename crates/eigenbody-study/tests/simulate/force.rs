@@ -6,6 +6,7 @@ use eigenbody::spatial::Vec3;
 use eigenbody::{Family, Model};
 use eigenbody_study::simulate::{
     Algorithm, Controller, DORMAND_PRINCE, Forces, Method, Simulation, State, Steps, Trajectory,
+    joint_springs,
 };
 
 fn after(model: &Model<f64>, q: &[f64], forces: Forces, method: Method, t: f64) -> State {
@@ -25,8 +26,8 @@ fn after(model: &Model<f64>, q: &[f64], forces: Forces, method: Method, t: f64) 
 #[test]
 fn a_spring_and_a_damper() {
     let model = chain(1).with_gravity(Vec3::ZERO);
-    let (inertia, k, c) = (2.2 / 3.0, 30.0, 1.5);
-    let forces = || Forces { damping: vec![c], stiffness: vec![k], rest: vec![0.2], ..Forces::default() };
+    let (inertia, k, c): (f64, f64, f64) = (2.2 / 3.0, 30.0, 1.5);
+    let forces = || Forces { springs: joint_springs(&model, k, c), rest: vec![0.2], ..Forces::default() };
     let (sigma, t) = (c / (2.0 * inertia), 1.3);
     let omega = (k / inertia - sigma * sigma).sqrt();
     let expected = 0.2 + 0.5 * (-sigma * t).exp() * ((omega * t).cos() + sigma / omega * (omega * t).sin());
@@ -94,8 +95,10 @@ fn forces_that_do_not_fit_are_refused() {
             .is_err()
     };
     assert!(!refused(Forces::default()));
-    assert!(refused(Forces { damping: vec![1.0], ..Forces::default() }));
-    assert!(refused(Forces { stiffness: vec![1.0; 2], ..Forces::default() }), "springs without rest");
+    let long = joint_springs(&chain(3), 0.0, 1.0);
+    assert!(refused(Forces { springs: long, ..Forces::default() }), "a spring on a third link");
+    let springs = joint_springs(&model, 1.0, 0.0);
+    assert!(refused(Forces { springs, ..Forces::default() }), "springs without rest");
     assert!(refused(Forces { torque: Some(Trajectory::constant(vec![0.0; 3])), ..Forces::default() }));
     assert!(Trajectory::new(vec![0.0, 0.0], vec![vec![0.0]; 2], 1).is_err(), "times stand still");
     assert!(Trajectory::new(vec![], vec![], 1).is_err());

@@ -2,7 +2,9 @@
 
 use super::apart;
 use eigenbody::{Family, Model};
-use eigenbody_study::simulate::{Algorithm, DORMAND_PRINCE, Forces, Method, RK4, Simulation, State, Steps};
+use eigenbody_study::simulate::{
+    Algorithm, DORMAND_PRINCE, Forces, Method, RK4, Simulation, State, Steps, joint_springs,
+};
 
 fn robot() -> Model<f64> {
     let tree = Family::auto_tree(9, 1.5, 0.3, 1.0).unwrap().floating().model::<f64>().unwrap();
@@ -16,7 +18,7 @@ fn robot() -> Model<f64> {
 fn after_a_fifth(model: &Model<f64>, method: Method, h: f64) -> State {
     let (q, v) =
         (model.random(3), (0..model.nv()).map(|d| ((7 * d % 5) as f64 - 2.0) * 1.5).collect::<Vec<_>>());
-    let forces = Forces { damping: vec![0.01; model.nv()], ..Forces::default() };
+    let forces = Forces { springs: joint_springs(model, 0.0, 0.01), ..Forces::default() };
     let mut simulation =
         Simulation::new(model, &q, &v, method, Steps::Fixed(h), forces, Algorithm::Aba).unwrap();
     let steps = (0.2 / h).round() as usize;

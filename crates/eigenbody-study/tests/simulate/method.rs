@@ -4,7 +4,7 @@ use super::{SECOND, apart, chain, run};
 use eigenbody::Model;
 use eigenbody_study::simulate::{
     Algorithm, DORMAND_PRINCE, Forces, Method, RK4, Schedule, Simulation, SimulationError, State, Steps,
-    Trajectory, simulate,
+    Trajectory, joint_springs, simulate,
 };
 use std::ops::ControlFlow;
 
@@ -163,7 +163,7 @@ fn an_impossible_tolerance_ends() {
 #[test]
 fn a_blow_up_is_located() {
     let model = chain(4);
-    let stiff = Forces { stiffness: vec![1e6; 4], rest: vec![0.0; 4], ..Forces::default() };
+    let stiff = Forces { springs: joint_springs(&model, 1e6, 0.0), rest: vec![0.0; 4], ..Forces::default() };
     for method in [Method::SemiImplicitEuler, Method::RungeKutta(RK4), Method::ImplicitMidpoint] {
         let mut simulation = Simulation::new(
             &model,
