@@ -37,6 +37,7 @@ mod shape;
 mod source;
 mod suggest;
 pub mod urdf;
+mod velocity;
 mod write;
 #[cfg(feature = "xacro")]
 mod xacro;
@@ -54,6 +55,7 @@ pub use motion::{Motion, MotionError, MotionOptions};
 pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
+pub use velocity::velocity;
 pub use write::{WriteError, write_mjcf, write_urdf};
 #[cfg(feature = "xacro")]
 pub use xacro::read_xacro;

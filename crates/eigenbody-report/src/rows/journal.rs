@@ -3,7 +3,7 @@
 use eigenbody_study::{Cell, Field, Shape};
 use std::io::{self, Read, Write};
 
-/// A CSV table that grows by rows. Numbers parse back to the same bits, none is an empty cell, a list is `[1, 2]` in one cell.
+/// A CSV table that grows by rows. Numbers parse back to the same bits, none is an empty cell, a list is `[1, 2]` in one cell; words have no line breaks.
 ///
 /// ```
 /// use eigenbody_report::RowsCsv;
@@ -18,10 +18,9 @@ pub struct RowsCsv<W: Write> {
     out: W,
     /// Whole lines that are not written yet.
     waiting: Vec<u8>,
+    /// Bytes and rows of the whole lines that were written.
+    written: (u64, u64),
 }
-
-/// Lines are written in blocks of this size.
-const BLOCK: usize = 1 << 15;
 
 impl<W: Write> RowsCsv<W> {
     /// Writes the heading.
@@ -30,17 +29,17 @@ impl<W: Write> RowsCsv<W> {
     ///
     /// If `out` cannot be written.
     pub fn new(out: W, fields: &[Field]) -> io::Result<Self> {
-        let mut rows = Self { out, waiting: Vec::new() };
+        let mut rows = Self { out, waiting: Vec::new(), written: (0, 0) };
         rows.line(fields.iter().map(|field| field.name.clone()))?;
         rows.flush()?;
         Ok(rows)
     }
 
-    /// Adds a row; lines reach the file in blocks, or when [`flush`](Self::flush) says so.
+    /// Adds a row, which waits for [`flush`](Self::flush).
     ///
     /// # Errors
     ///
-    /// If `out` cannot be written.
+    /// If a cell is no text that CSV can hold.
     pub fn push(&mut self, row: &[Cell]) -> io::Result<()> {
         self.line(row.iter().map(|cell| match cell {
             Cell::Number(x) => x.map_or_else(String::new, |x| x.to_string()),
@@ -48,8 +47,7 @@ impl<W: Write> RowsCsv<W> {
                 format!("[{}]", all.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
             }
             Cell::Text(word) => word.clone(),
-        }))?;
-        if self.waiting.len() >= BLOCK { self.flush() } else { Ok(()) }
+        }))
     }
 
     fn line(&mut self, cells: impl Iterator<Item = String>) -> io::Result<()> {
@@ -58,15 +56,39 @@ impl<W: Write> RowsCsv<W> {
         writer.flush()
     }
 
+    /// Bytes that wait.
+    pub fn waiting(&self) -> usize {
+        self.waiting.len()
+    }
+
+    /// Bytes of all whole lines that were written, and their number without the heading.
+    pub fn written(&self) -> (u64, u64) {
+        (self.written.0, self.written.1.saturating_sub(1))
+    }
+
     /// Writes all lines that wait.
     ///
     /// # Errors
     ///
-    /// If `out` cannot be written.
+    /// If `out` cannot be written; [`written`](Self::written) then tells how far whole lines got.
     pub fn flush(&mut self) -> io::Result<()> {
-        self.out.write_all(&self.waiting)?;
-        self.waiting.clear();
-        self.out.flush()
+        let mut done = 0;
+        let outcome = loop {
+            if done == self.waiting.len() {
+                break self.out.flush();
+            }
+            match self.out.write(&self.waiting[done..]) {
+                Ok(0) => break Err(io::ErrorKind::WriteZero.into()),
+                Ok(bytes) => done += bytes,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => break Err(error),
+            }
+        };
+        let whole = self.waiting[..done].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+        self.written.0 += whole as u64;
+        self.written.1 += self.waiting[..whole].iter().filter(|&&byte| byte == b'\n').count() as u64;
+        self.waiting.drain(..whole);
+        outcome
     }
 
     /// Writes what waits, and hands back the writer.
