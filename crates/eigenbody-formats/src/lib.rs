@@ -31,11 +31,13 @@ mod loaded;
 mod location;
 mod metric;
 pub mod mjcf;
+pub mod motion;
 pub mod sdf;
 mod shape;
 mod source;
 mod suggest;
 pub mod urdf;
+mod velocity;
 mod write;
 #[cfg(feature = "xacro")]
 mod xacro;
@@ -49,9 +51,11 @@ pub use loaded::{Keyframe, Kind, Loaded, Note, Remark, Stepping};
 pub use location::Location;
 pub use metric::metric;
 pub use mjcf::{MjcfOptions, read_mjcf, read_mjcf_str};
+pub use motion::{Motion, MotionError, MotionOptions};
 pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
+pub use velocity::velocity;
 pub use write::{WriteError, write_mjcf, write_urdf};
 #[cfg(feature = "xacro")]
 pub use xacro::read_xacro;

@@ -14,6 +14,7 @@ mod matrix;
 mod number;
 mod page;
 mod reproduction;
+mod rows;
 mod rules;
 mod spectrum;
 mod table;
@@ -29,6 +30,9 @@ pub use matrix::{AmongReport, MatrixReport};
 pub use number::significant;
 pub use page::{Page, WorstPicture};
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
+#[cfg(feature = "parquet")]
+pub use rows::{ParquetFailure, write_parquet};
+pub use rows::{RowsCsv, read_rows};
 pub use rules::{OF_MODELS, OF_ROBOTS, Rule, rules};
 pub use spectrum::{CountReport, ErrorEstimate, LoopsReport, ModeReport, SpectrumReport, Subject};
 pub use table::write_table_csv;

@@ -5,8 +5,11 @@ pub mod convert;
 mod drive;
 pub mod info;
 pub mod matrix;
+pub mod motion;
 pub mod reproduce;
+pub mod simulate;
 pub mod spectrum;
+pub mod track;
 pub mod welcome;
 
 /// A number that an option must have above zero.

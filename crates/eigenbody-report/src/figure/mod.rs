@@ -7,6 +7,7 @@
 mod axis;
 pub mod heat;
 pub mod mechanism;
+mod motion;
 mod papers;
 mod plot;
 #[cfg(feature = "png")]
@@ -16,6 +17,7 @@ mod scene;
 mod style;
 
 pub use axis::{Axis, Scale};
+pub use motion::{Series, motion};
 pub use papers::draw;
 pub use plot::{Curve, Panel, Plot};
 #[cfg(feature = "png")]

@@ -88,10 +88,52 @@ impl<T: Real> Model<T> {
         self.check_q(q)?;
         self.check_v("v", v)?;
         let mut moved = q.to_vec();
+        self.integrate_into(q, v, &mut moved);
+        Ok(moved)
+    }
+
+    /// [`integrate`](Self::integrate) into `moved`, `nq` numbers; allocates nothing and checks nothing.
+    ///
+    /// # Panics
+    ///
+    /// If a slice is shorter than the model says.
+    pub fn integrate_into(&self, q: &[T], v: &[T], moved: &mut [T]) {
         for joint in &self.joints {
             let at = joint.coordinates();
             joint.kind.integrate(&q[at.clone()], &v[joint.dofs()], &mut moved[at]);
         }
-        Ok(moved)
+    }
+
+    /// to ⊖ from: the constant velocity that moves `from` to `to` in unit time, joint by joint, rotations the shorter way round.
+    ///
+    /// Errors: [`InputError`] if a configuration does not fit the model.
+    ///
+    /// ```
+    /// use eigenbody::Family;
+    /// let robot = Family::auto_tree(9, 1.5, 0.3, 0.9)?.floating().model::<f64>()?;
+    /// let (from, to) = (robot.random(1), robot.random(2));
+    /// let arrived = robot.integrate(&from, &robot.difference(&from, &to)?)?;
+    /// let back = robot.difference(&arrived, &to)?;
+    /// assert!(back.iter().all(|x| x.abs() < 1e-13));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn difference(&self, from: &[T], to: &[T]) -> Result<Vec<T>, InputError> {
+        self.check_q(from)?;
+        self.check_q(to)?;
+        let mut v = vec![T::ZERO; self.nv()];
+        self.difference_into(from, to, &mut v);
+        Ok(v)
+    }
+
+    /// [`difference`](Self::difference) into `v`, `nv` numbers; allocates nothing and checks nothing.
+    ///
+    /// # Panics
+    ///
+    /// If a slice is shorter than the model says.
+    pub fn difference_into(&self, from: &[T], to: &[T], v: &mut [T]) {
+        for joint in &self.joints {
+            let at = joint.coordinates();
+            joint.kind.difference(&from[at.clone()], &to[at], &mut v[joint.dofs()]);
+        }
     }
 }
