@@ -12,6 +12,8 @@ mod floating;
 mod gradient;
 mod kinematics;
 mod momentum;
+pub mod plain;
+mod posture;
 mod reduction;
 mod reroot;
 mod rnea;
