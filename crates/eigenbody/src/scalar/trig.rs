@@ -128,3 +128,53 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let cosine = (j + half_turn).select_lt(S::ZERO, -cosine, cosine);
     (sine, cosine)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Array, Dd, Fused};
+
+    /// Errors in units of the last place of the result, over angles up to the limit, against double-double.
+    fn worst<S: Scalar>(
+        from_f64: impl Fn(f64) -> S::Stored,
+        to_f64: impl Fn(S::Stored) -> f64,
+        limit: f64,
+    ) -> f64 {
+        let mut worst: f64 = 0.0;
+        for k in 0..200_000_i32 {
+            // Evenly, near multiples of π/2, and small.
+            let x = match k % 4 {
+                0 => limit * (f64::from(k) / 100_000.0 - 1.0),
+                1 => f64::from(k) * std::f64::consts::FRAC_PI_2 % limit,
+                2 => f64::from(k - 100_000) * 1e-4,
+                _ => (-f64::from(k) / 4000.0).exp(),
+            };
+            let (mut s, mut c) = ([from_f64(0.0)], [from_f64(0.0)]);
+            let x = from_f64(x);
+            sin_cos_all::<S>(&[x], &mut s, &mut c);
+            let (sin, cos) = Dd::from_f64(to_f64(x)).sin_cos();
+            for (found, exact) in [(to_f64(s[0]), sin), (to_f64(c[0]), cos)] {
+                let ulp = exact.hi().abs() * S::Constant::EPSILON;
+                worst = worst.max((Dd::from_f64(found) - exact).hi().abs() / ulp.max(f64::MIN_POSITIVE));
+            }
+        }
+        worst
+    }
+
+    #[test]
+    fn sines_are_good_to_the_last_place() {
+        for plain in [
+            worst::<f64>(|x| x, |x| x, 800_000.0),
+            worst::<Fused<f64>>(|x| x, |x| x, 800_000.0),
+            worst::<Array<2>>(|x| Array([x; 2]), |x| x.0[1], 800_000.0),
+        ] {
+            assert!(plain < 1.0, "{plain}");
+        }
+        for single in [
+            worst::<f32>(|x| x as f32, f64::from, 6000.0),
+            worst::<Fused<f32>>(|x| x as f32, f64::from, 6000.0),
+        ] {
+            assert!(single < 1.5, "{single}");
+        }
+    }
+}

@@ -9,8 +9,10 @@ mod floating;
 mod gradient;
 mod kinematics;
 mod momentum;
+mod plain;
 mod reduction;
 mod rounding;
+mod turns;
 
 use eigenbody::Model;
 use eigenbody::scalar::{Dd, Real, Scalar};
