@@ -20,7 +20,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 7] = [
+const TASKS: [Task; 8] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -43,6 +43,11 @@ const TASKS: [Task; 7] = [
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",
         run: bench::bench,
+    },
+    Task {
+        name: "bench-peers",
+        about: "the figures of docs/performance.md, beside Pinocchio, MuJoCo and dynibo",
+        run: bench::peers::bench,
     },
 ];
 
