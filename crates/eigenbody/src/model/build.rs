@@ -63,7 +63,7 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
         nq: joints.iter().map(|j| j.kind.nq()).sum(),
         floating_base: base == Base::Floating,
         gravity: robot.gravity,
-        mechanism: Mechanism::new(&bodies),
+        mechanism: Mechanism::new(&bodies, &joints),
         bodies,
         links,
         joints,

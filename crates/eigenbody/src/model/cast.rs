@@ -31,12 +31,13 @@ impl Model<f64> {
             limits: j.limits.map(|(lower, upper)| (f(lower), f(upper))),
         };
         let bodies: Vec<Body<U>> = self.bodies.iter().map(body).collect();
+        let joints: Vec<JointInfo<U>> = self.joints.iter().map(joint).collect();
         Model {
             name: self.name.clone(),
-            mechanism: Mechanism::new(&bodies),
+            mechanism: Mechanism::new(&bodies, &joints),
             bodies,
             links: self.links.iter().map(link).collect(),
-            joints: self.joints.iter().map(joint).collect(),
+            joints,
             dofs: self.dofs.clone(),
             dof_joint: self.dof_joint.clone(),
             armature: self.armature.iter().copied().map(f).collect(),

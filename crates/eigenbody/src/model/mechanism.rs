@@ -8,7 +8,7 @@
 //! (Denavit and Hartenberg's choice of x). What is left is Rx(α), and α is often nothing or a quarter turn. H, τ and v̇ do not depend on
 //! any of this. Nothing is rounded to a quarter turn that is not one to the last digits.
 
-use super::body::{Body, WORLD};
+use super::body::{Body, JointInfo, WORLD};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, PseudoInertia, Transform, Vec3};
@@ -16,13 +16,15 @@ use crate::spatial::{Mat3, PseudoInertia, Transform, Vec3};
 /// A turn this many ε from a round one is a round one.
 const ROUND: f64 = 4.0;
 
-/// The bodies in pre-order, and what their joints' angles are counted from.
+/// The bodies in pre-order, what their joints' angles are counted from, and where quaternions stand.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mechanism<T> {
     pub members: Vec<Member<T>>,
     /// Sine and cosine of γ, and of a prismatic joint's turn as a whole.
     pub sin_offset: Vec<T>,
     pub cos_offset: Vec<T>,
+    /// The joints whose coordinates hold a quaternion, and where it begins in q.
+    pub quaternions: Vec<(u32, u32)>,
 }
 
 /// A body.
@@ -94,7 +96,7 @@ macro_rules! with_twist {
 pub(crate) use with_twist;
 
 impl<T: Real> Mechanism<T> {
-    pub fn new(bodies: &[Body<T>]) -> Self {
+    pub fn new(bodies: &[Body<T>], joints: &[JointInfo<T>]) -> Self {
         let mut turns: Vec<Turn<T>> = vec![Turn::NONE; bodies.len()];
         for body in bodies {
             // Children come by ascending size of their subtrees: the last one decides.
@@ -104,7 +106,11 @@ impl<T: Real> Mechanism<T> {
                 turns[p] = Euler::new(body.X_tree.E).beta;
             }
         }
+        let quaternion = |(index, joint): (u32, &JointInfo<T>)| {
+            joint.kind.quaternion().map(|at| (index, joint.q0 + at as u32))
+        };
         let mut mechanism = Self {
+            quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
             members: Vec::with_capacity(bodies.len()),
             sin_offset: Vec::with_capacity(bodies.len()),
             cos_offset: Vec::with_capacity(bodies.len()),

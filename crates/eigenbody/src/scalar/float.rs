@@ -72,6 +72,10 @@ macro_rules! float {
             fn from_dd(x: Dd) -> Self {
                 x.hi() as $T
             }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $T::is_finite(self)
+            }
         }
     };
 }

@@ -62,12 +62,13 @@ pub(super) const SINGLE: Trig<f32> = Trig {
 /// Sines and cosines of all `angles`, as long as both outputs.
 #[inline(always)]
 pub(crate) fn sin_cos_all<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::Stored]) {
-    let mut largest = S::ZERO;
+    let limit = S::Constant::TRIG.as_ref().map_or(S::Constant::ZERO, |trig| trig.limit);
+    let mut beyond = false;
     for &x in angles {
-        largest = largest.max(S::load(x).abs());
+        beyond |= S::load(x).abs().any_above(limit);
     }
     match S::Constant::TRIG {
-        Some(trig) if !largest.any_above(trig.limit) => {
+        Some(trig) if !beyond => {
             for ((&x, sin), cos) in angles.iter().zip(sin).zip(cos) {
                 let (s, c) = sin_cos::<S>(S::load(x), &trig);
                 (*sin, *cos) = (s.store(), c.store());

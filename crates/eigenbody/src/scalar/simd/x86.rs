@@ -40,7 +40,8 @@ macro_rules! register {
         $Type:ident, $T:ident, $N:literal, $Register:ident, $what:literal,
         $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $fmadd:ident, $min:ident, $max:ident,
         $andnot:ident, $set1:ident,
-        |$a:ident, $b:ident, $yes:ident, $no:ident| $select:expr
+        |$a:ident, $b:ident, $yes:ident, $no:ident| $select:expr,
+        |$x:ident, $y:ident| $below:expr
     ) => {
         #[doc = $what]
         #[derive(Debug, Clone, Copy)]
@@ -136,11 +137,8 @@ macro_rules! register {
             }
             #[inline(always)]
             fn any_above(self, bound: $T) -> bool {
-                let mut above = false;
-                for x in self.numbers() {
-                    above |= x > bound;
-                }
-                above
+                let ($x, $y) = (Self::constant(bound).0, self.0);
+                unsafe { $below }
             }
         }
 
@@ -176,7 +174,8 @@ register!(
     _mm512_max_pd,
     _mm512_andnot_pd,
     _mm512_set1_pd,
-    |a, b, yes, no| _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b), no, yes)
+    |a, b, yes, no| _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b), no, yes),
+    |x, y| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, y) != 0
 );
 register!(
     F64x4,
@@ -194,7 +193,8 @@ register!(
     _mm256_max_pd,
     _mm256_andnot_pd,
     _mm256_set1_pd,
-    |a, b, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(a, b))
+    |a, b, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(a, b)),
+    |x, y| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, y)) != 0
 );
 register!(
     F32x16,
@@ -212,7 +212,8 @@ register!(
     _mm512_max_ps,
     _mm512_andnot_ps,
     _mm512_set1_ps,
-    |a, b, yes, no| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), no, yes)
+    |a, b, yes, no| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), no, yes),
+    |x, y| _mm512_cmp_ps_mask::<_CMP_LT_OQ>(x, y) != 0
 );
 register!(
     F32x8,
@@ -230,7 +231,8 @@ register!(
     _mm256_max_ps,
     _mm256_andnot_ps,
     _mm256_set1_ps,
-    |a, b, yes, no| _mm256_blendv_ps(no, yes, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b))
+    |a, b, yes, no| _mm256_blendv_ps(no, yes, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)),
+    |x, y| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(x, y)) != 0
 );
 
 impl Lane for F64x8 {
