@@ -14,6 +14,8 @@ mod gradient;
 mod inertial;
 mod kinematics;
 mod momentum;
+pub mod plain;
+mod posture;
 mod reduction;
 mod reroot;
 mod rnea;

@@ -3,6 +3,7 @@
 //! In a model the axis of every single-axis joint is z (ARCHITECTURE, invariant 4), so kinds carry no axis. X_J(q) goes
 //! from the joint's frame on the parent's side to the body's frame; the columns of S are in the body's frame.
 
+mod column;
 mod cylindrical;
 mod floating;
 mod helical;
@@ -13,6 +14,8 @@ mod revolute;
 mod spherical;
 mod tangent;
 mod universal;
+
+pub(crate) use column::Column;
 
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Force, Motion, Transform, Vec3};
@@ -46,18 +49,6 @@ pub enum Joint<T> {
     Spherical,
     /// Any motion: q = x, y, z (m), w, x, y, z; v = [angular; linear] in the body's frame.
     Floating,
-}
-
-/// A column of S: one of the six unit vectors, or any.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Column {
-    AngX,
-    AngY,
-    AngZ,
-    LinX,
-    LinY,
-    LinZ,
-    General,
 }
 
 impl<T: Scalar> Joint<T> {

@@ -14,22 +14,24 @@ pub(crate) fn check<T: Real>(what: &'static str, x: &[T], expected: usize) -> Re
     if x.len() != expected {
         return Err(InputError::Length { what, expected, found: x.len() });
     }
-    match x.iter().position(|x| !x.is_finite()) {
-        Some(index) => Err(InputError::NotFinite { what, index }),
-        None => Ok(()),
+    // All are looked at before any is named: a loop without a jump in it.
+    if x.iter().fold(true, |all, x| all & x.is_finite()) {
+        return Ok(());
     }
+    let index = x.iter().position(|x| !x.is_finite()).unwrap_or(0);
+    Err(InputError::NotFinite { what, index })
 }
 
 impl<T: Real> Model<T> {
     /// Refuses a q of the wrong length, with a number that is not finite, or with a quaternion that is not a unit one.
     pub fn check_q(&self, q: &[T]) -> Result<(), InputError> {
         check("q", q, self.nq)?;
-        for joint in &self.joints {
-            let Some(at) = joint.kind.quaternion() else { continue };
-            let index = joint.q0 as usize + at;
+        for &(joint, index) in &self.mechanism.quaternions {
+            let index = index as usize;
             let norm = q[index..index + 4].iter().map(|x| x.to_f64().powi(2)).sum::<f64>().sqrt();
             if (norm - 1.0).abs() > QUATERNION_TOLERANCE {
-                return Err(InputError::NotUnitQuaternion { joint: joint.name.to_string(), index, norm });
+                let joint = self.joints[joint as usize].name.to_string();
+                return Err(InputError::NotUnitQuaternion { joint, index, norm });
             }
         }
         Ok(())

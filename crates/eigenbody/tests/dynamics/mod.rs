@@ -11,8 +11,10 @@ mod gradient;
 mod inertial;
 mod kinematics;
 mod momentum;
+mod plain;
 mod reduction;
 mod rounding;
+mod turns;
 
 use eigenbody::Model;
 use eigenbody::scalar::{Dd, Real, Scalar};
