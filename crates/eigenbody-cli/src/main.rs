@@ -32,6 +32,8 @@ fn main() -> ExitCode {
         Some(Command::Reproduce(reproduce)) => commands::reproduce::run(reproduce),
         Some(Command::Simulate(simulate)) => return ended(commands::simulate::run(simulate)),
         Some(Command::Track(track)) => return ended(commands::track::run(track)),
+        #[cfg(feature = "parquet")]
+        Some(Command::Sweep(sweep)) => commands::sweep::run(sweep).map(|()| true),
         Some(Command::Info(info)) => commands::info::run(info).map(|()| true),
         Some(Command::Convert(convert)) => commands::convert::run(convert).map(|()| true),
     };

@@ -18,6 +18,7 @@ mod model;
 mod properties;
 mod spectrum;
 mod study;
+mod sweep;
 mod tracker;
 
 use pyo3::prelude::*;
@@ -30,6 +31,8 @@ mod _eigenbody {
     use crate::model::Model;
     #[pymodule_export]
     use crate::study::reproduce;
+    #[pymodule_export]
+    use crate::sweep::SweepPlan;
     #[pymodule_export]
     use crate::tracker::Tracker;
 

@@ -17,6 +17,7 @@ mod reproduction;
 mod rows;
 mod rules;
 mod spectrum;
+mod sweep;
 mod table;
 mod text;
 
@@ -35,5 +36,6 @@ pub use rows::{ParquetFailure, write_parquet};
 pub use rows::{RowsCsv, read_rows};
 pub use rules::{OF_MODELS, OF_ROBOTS, Rule, rules};
 pub use spectrum::{CountReport, ErrorEstimate, LoopsReport, ModeReport, SpectrumReport, Subject};
+pub use sweep::{PlanRecord, SweepFolder, SweepFolderError, chunk_text};
 pub use table::write_table_csv;
 pub use text::{Mode, count, modes};

@@ -31,6 +31,7 @@ pub mod portrait;
 mod row;
 pub mod shah_saha;
 pub mod simulate;
+pub mod sweep;
 mod table;
 
 pub use claim::{CLAIMS, Check, Claim, Kind, Reading, Verdict};

@@ -9,6 +9,8 @@ pub mod motion;
 pub mod reproduce;
 pub mod simulate;
 pub mod spectrum;
+#[cfg(feature = "parquet")]
+pub mod sweep;
 pub mod track;
 pub mod welcome;
 

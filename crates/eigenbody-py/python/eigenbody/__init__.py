@@ -12,10 +12,11 @@ SI units; spatial vectors are [angular; linear]; quaternions w, x, y, z. What ta
 ``(k, nq)`` and uses all cores for it.
 """
 
-from eigenbody._eigenbody import Model, Parts, Tracker, __version__, reproduce
+from eigenbody._eigenbody import Model, Parts, SweepPlan, Tracker, __version__, reproduce
 from eigenbody._errors import EigenbodyError, InputError, ModelError, NotPositiveDefiniteError
 from eigenbody._layout import Layout
 from eigenbody._results import Conditioning, Conditionings, Diagnosis, Finding, Mode, WorstCase
+from eigenbody._sweep import sweep
 
 __all__ = [
     "Conditioning",
@@ -30,8 +31,10 @@ __all__ = [
     "ModelError",
     "NotPositiveDefiniteError",
     "Parts",
+    "SweepPlan",
     "Tracker",
     "WorstCase",
     "__version__",
     "reproduce",
+    "sweep",
 ]

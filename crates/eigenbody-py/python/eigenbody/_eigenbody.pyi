@@ -1,6 +1,7 @@
 """The native half: arrays in, arrays out."""
 
 import os
+import pathlib
 from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias, final, overload
 
@@ -9,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from eigenbody._results import Conditioning, Conditionings, Diagnosis, WorstCase
 
-__all__ = ["Model", "Parts", "Tracker", "__version__", "reproduce"]
+__all__ = ["Model", "Parts", "SweepPlan", "Tracker", "__version__", "reproduce"]
 __version__: str
 
 _Floats: TypeAlias = NDArray[np.float64]
@@ -273,6 +274,35 @@ class Tracker:
     @property
     def stiffest(self) -> _Floats:
         """The latest mode of λmax, (nv,)."""
+
+@final
+class SweepPlan:
+    """The numbered cases of a sweep's text (TOML), in chunks that may be computed anywhere and in any order."""
+
+    def __new__(cls, text: str, /) -> SweepPlan: ...
+    @property
+    def cases(self) -> int:
+        """Number of rows."""
+
+    @property
+    def chunks(self) -> int:
+        """Number of chunks."""
+
+    @property
+    def fingerprint(self) -> str:
+        """Of everything that a row depends on: spec, robots, version."""
+
+    def compute(self, number: int, /) -> bytes:
+        """The rows of a chunk, on one thread."""
+
+    def missing(self, output: _Path, /) -> list[int]:
+        """Chunks that a folder does not hold; makes the folder."""
+
+    def keep(self, output: _Path, number: int, text: bytes, /) -> None:
+        """Puts a chunk's rows into a folder, whole."""
+
+    def merge(self, output: _Path, /) -> pathlib.Path:
+        """Makes the table of a folder that holds every chunk."""
 
 def reproduce(*ids: str, quick: bool = False) -> list[dict[str, Any]]:
     """The claims of Featherstone (2004) and Shah & Saha (2013), printed against computed; all, or those named."""
