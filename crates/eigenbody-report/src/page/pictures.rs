@@ -39,6 +39,7 @@ pub(super) fn worst(page: &Page) -> Html {
                 .carriers
                 .iter()
                 .take(5)
+                .filter(|part| part.share >= 0.005)
                 .map(|part| format!("{} {:.0}%", part.name, 100.0 * part.share))
                 .collect();
             if !carriers.is_empty() {
@@ -103,7 +104,7 @@ pub(super) fn spectrum(page: &Page) -> Html {
             y: Axis::log(format!("λ, {}", if page.unit.is_empty() { "1" } else { page.unit })),
             curves,
         };
-        let plot = Plot { panels: vec![panel], columns: 2 };
+        let plot = Plot { panels: vec![panel], columns: 1 };
         let about = "A plot of all eigenvalues in ascending order, on a logarithmic axis; the numbers are in the table below.";
         whole.push(figure(
             &plot.scene(),
