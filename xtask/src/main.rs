@@ -5,6 +5,7 @@ mod conformance;
 mod layers;
 mod oracle;
 mod program;
+mod python;
 mod steps;
 mod suite;
 mod survey;
@@ -20,7 +21,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 7] = [
+const TASKS: [Task; 9] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -34,6 +35,7 @@ const TASKS: [Task; 7] = [
         about: "H and kappa of real robots against Pinocchio and MuJoCo",
         run: conformance::check,
     },
+    Task { name: "python", about: "the Python package: wheel, tests, types", run: python::test },
     Task {
         name: "survey",
         about: "docs/survey.md: `eigenbody check` on published robots",
@@ -43,6 +45,11 @@ const TASKS: [Task; 7] = [
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",
         run: bench::bench,
+    },
+    Task {
+        name: "bench-peers",
+        about: "the figures of docs/performance.md, beside Pinocchio, MuJoCo and dynibo",
+        run: bench::peers::bench,
     },
 ];
 
