@@ -185,6 +185,10 @@ pub struct CheckArgs {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub f32_digits: Option<f64>,
 
+    /// How it is driven.
+    #[command(flatten)]
+    pub gains: GainArgs,
+
     /// Advise the least armature with which κ is at most this in every configuration.
     #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "want_lambda_min")]
     pub want_kappa: Option<f64>,
@@ -237,6 +241,39 @@ pub struct ReportArgs {
     /// The file to write.
     #[arg(short, long, value_name = "FILE", default_value = "report.html")]
     pub output: PathBuf,
+}
+
+/// How a robot is driven and stepped.
+#[derive(Debug, clap::Args)]
+pub struct GainArgs {
+    /// Stiffness on joints in place of the gains of the file's actuators: a number for all, or 'elbow=100,wrist=5' (N m/rad, N/m).
+    #[arg(long, value_name = "GAINS", allow_hyphen_values = true)]
+    pub kp: Option<String>,
+
+    /// The same for damping (N m s/rad, N s/m).
+    #[arg(long, value_name = "GAINS", allow_hyphen_values = true)]
+    pub kd: Option<String>,
+
+    /// Step of simulation or control in seconds; an MJCF file has its own.
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub dt: Option<f64>,
+
+    /// How a step is made; an MJCF file has its own, else semi-implicit.
+    #[arg(long, value_enum)]
+    pub integrator: Option<IntegratorArg>,
+}
+
+/// `--integrator`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum IntegratorArg {
+    /// Semi-implicit Euler.
+    SemiImplicit,
+    /// The same, damping of joints implicit: MuJoCo's Euler.
+    Damped,
+    /// The same, all damping implicit: MuJoCo's implicitfast.
+    Implicit,
+    /// Runge-Kutta of order four.
+    Rk4,
 }
 
 /// `--fail-on`.

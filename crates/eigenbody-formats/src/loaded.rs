@@ -6,6 +6,7 @@ use crate::location::Location;
 use crate::urdf::Rotor;
 use eigenbody::dynamics::Closure;
 use eigenbody::model::{Finding, JointInfo, Place};
+use eigenbody::stability::{Integrator, Spring};
 use eigenbody::{Family, Model};
 use std::fmt;
 use std::path::PathBuf;
@@ -24,6 +25,10 @@ pub struct Loaded {
     pub mimic: bool,
     /// Rotor inertias that the file gives; [`with_rotors`](Self::with_rotors) adds them.
     pub rotors: Vec<Rotor>,
+    /// Springs, dampers and feedback of actuators that the file gives.
+    pub springs: Vec<Spring>,
+    /// How the file's own engine steps.
+    pub stepping: Option<Stepping>,
     pub(crate) keyframes: Vec<Keyframe>,
     /// Loops of the file; the element's name where an end of it is not known.
     pub(crate) closures: Vec<Result<Closure, String>>,
@@ -40,6 +45,22 @@ pub enum Kind {
     BuiltIn,
     /// A file.
     File(PathBuf),
+}
+
+/// A time step and an integrator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stepping {
+    /// Length of a step (s).
+    pub step: f64,
+    /// How it is made.
+    pub integrator: Integrator,
+}
+
+impl Default for Stepping {
+    /// MuJoCo's own: 2 ms, joint damping implicit.
+    fn default() -> Self {
+        Self { step: 0.002, integrator: Integrator::DampedEuler }
+    }
 }
 
 /// A configuration with a name.
@@ -95,6 +116,11 @@ pub enum Note {
         /// The element.
         element: String,
     },
+    /// Stiffness, damping or feedback along something else than joints and fixed tendons, or of another kind than linear.
+    SpringIgnored {
+        /// The element.
+        element: String,
+    },
     /// A body outside `<worldbody>`, which MuJoCo passes over.
     OutsideWorld {
         /// The element.
@@ -114,6 +140,7 @@ impl Note {
             Self::Loop { .. } => "loop",
             Self::EqualityIgnored { .. } => "equality-ignored",
             Self::ArmatureIgnored { .. } => "armature-ignored",
+            Self::SpringIgnored { .. } => "spring-ignored",
             Self::OutsideWorld { .. } => "outside-world",
         }
     }
@@ -129,6 +156,7 @@ impl Note {
             | Self::Loop { element: name }
             | Self::EqualityIgnored { element: name }
             | Self::ArmatureIgnored { element: name }
+            | Self::SpringIgnored { element: name }
             | Self::OutsideWorld { element: name } => name,
         }
     }
@@ -176,6 +204,9 @@ impl fmt::Display for Note {
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
             }
+            Self::SpringIgnored { element } => {
+                write!(f, "{element} has stiffness, damping or feedback that time steps are judged without")
+            }
             Self::OutsideWorld { element } => {
                 write!(f, "{element} stands outside <worldbody> and is passed over")
             }
@@ -204,6 +235,8 @@ impl Loaded {
             kind,
             mimic: true,
             rotors: Vec::new(),
+            springs: Vec::new(),
+            stepping: None,
             keyframes: Vec::new(),
             closures: Vec::new(),
             notes: Vec::new(),

@@ -9,6 +9,7 @@
 
 mod configuration;
 mod expression;
+mod gains;
 mod hostile;
 mod metric;
 mod mjcf;

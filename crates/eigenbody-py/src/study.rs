@@ -45,6 +45,7 @@ pub fn check<'py>(
         metric: eigenbody_formats::metric(metric)?,
         effort: effort(look)?,
         limits,
+        ..Question::default()
     };
     let found = py.detach(|| diagnose(&shared.robot.model, &question, |_| ()))?;
     let report = DiagnosisReport::new(&shared.name, &found, shared.findings.clone());

@@ -34,6 +34,7 @@ pub mod scalar;
 pub mod search;
 pub mod spatial;
 pub mod spectrum;
+pub mod stability;
 
 pub use conditioning::{Conditioning, Method, Question, conditioning, conditioning_at, count_below};
 pub use dynamics::{

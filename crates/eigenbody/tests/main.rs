@@ -40,3 +40,4 @@ mod robots;
 mod scalar;
 mod search;
 mod spectrum;
+mod stability;

@@ -1,5 +1,7 @@
 //! `eigenbody check` and `eigenbody report`.
 
+use super::drive::drive;
+use super::positive;
 use crate::args::{CheckArgs, CheckCommand, CheckFormat, FailOn, ReportArgs};
 use crate::failure::Failure;
 use crate::output::deliver;
@@ -93,7 +95,8 @@ fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
         seed: args.seed.or(settings.seed).unwrap_or(default.seed),
         ..default
     };
-    let question = Question { reduction, metric, effort, limits: limits(args, &settings)? };
+    let drive = drive(&args.gains, &loaded)?;
+    let question = Question { reduction, metric, effort, limits: limits(args, &settings)?, drive };
     let bar = progress();
     let found = diagnose(&loaded.model, &question, |evaluated| bar.inc(evaluated as u64));
     bar.finish_and_clear();
@@ -214,7 +217,7 @@ fn coordinates(model: &Model<f64>) -> Vec<(String, &'static str)> {
 }
 
 fn method(question: &Question, settings: &Settings, found: &Diagnosis) -> Vec<(String, String)> {
-    let Question { reduction, metric, effort, limits } = question;
+    let Question { reduction, metric, effort, limits, .. } = question;
     let settings =
         settings.path.as_ref().map_or_else(|| "none".to_owned(), |path| path.display().to_string());
     let rows = [
@@ -262,13 +265,6 @@ fn advise(
         deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
     }
     Ok(Some(advice))
-}
-
-fn positive(option: &str, x: f64) -> Result<f64, Failure> {
-    match x > 0.0 && x.is_finite() {
-        true => Ok(x),
-        false => Err(Failure::Usage(format!("{option} {x}: expected a positive number"))),
-    }
 }
 
 /// What the options say, else the file, else the defaults.

@@ -2,6 +2,7 @@
 
 use super::compiler::Compiler;
 use super::geom::Geom;
+use super::spring::JointSpring;
 use crate::xml::Spot;
 use eigenbody::spatial::{Sym3, Transform, Vec3};
 use std::rc::Rc;
@@ -37,6 +38,7 @@ pub(super) struct Joint {
     /// The coordinate in the pose that the file describes (rad, m).
     pub reference: f64,
     pub armature: f64,
+    pub spring: JointSpring,
     pub limits: Option<(f64, f64)>,
     pub align: Align,
 }

@@ -8,6 +8,7 @@ use super::closure::Frames;
 use super::coupling::Known;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mass::{self, Mass};
+use super::spring::JointSpring;
 use crate::write::quaternion;
 use crate::xml::{Element, Spot};
 use eigenbody::dynamics::Anchor;
@@ -32,6 +33,8 @@ pub(super) struct Parts {
     pub base_armature: f64,
     /// Bodies and sites by name.
     pub frames: Frames,
+    /// Springs of joints, by the joint's position.
+    pub springs: Vec<(usize, JointSpring)>,
     names: Names,
 }
 
@@ -72,6 +75,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
         known: HashMap::new(),
         base_armature: 0.0,
         frames: Frames::default(),
+        springs: Vec::new(),
         names: Names::reserving(tree, &order),
     };
     let mut placed: HashMap<usize, Placed> = HashMap::with_capacity(order.len() + 1);
@@ -275,6 +279,7 @@ impl Parts {
         for name in names.into_iter().flatten() {
             self.known.entry(name.clone()).or_default().push(known);
         }
+        self.springs.push((number, joint.spring));
         let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature; kind.nv()] };
         self.joint_spots.push(joint.at);
         self.joints.push(JointSpec {

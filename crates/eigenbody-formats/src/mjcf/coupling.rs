@@ -9,7 +9,7 @@ use crate::xml::{Element, Spot};
 use std::collections::HashMap;
 
 /// The actuators of a class are one and the same, whatever their kind.
-const ACTUATORS: [&str; 12] = [
+pub(super) const ACTUATORS: [&str; 12] = [
     "general",
     "motor",
     "position",
@@ -172,18 +172,18 @@ impl Couplings {
 
 /// A tendon: its armature, and the joints of a fixed one with their coefficients.
 #[derive(Debug)]
-struct Tendon {
+pub(super) struct Tendon {
     armature: f64,
-    joints: Option<Vec<(usize, f64)>>,
+    pub joints: Option<Vec<(usize, f64)>>,
 }
 
 impl<'a> Sections<'a> {
-    fn all(&self, section: &'a str) -> impl Iterator<Item = &'a Element> + use<'a> {
+    pub fn all(&self, section: &'a str) -> impl Iterator<Item = &'a Element> + use<'a> {
         self.root.children_named(section).flat_map(|s| &s.children)
     }
 
     /// All joints that a name means.
-    fn joints(&self, name: Option<&str>) -> &[Known] {
+    pub fn joints(&self, name: Option<&str>) -> &[Known] {
         let found = name.and_then(|name| self.joints.get(&format!("{}{name}", self.prefix)));
         found.map_or(&[], Vec::as_slice)
     }
@@ -196,7 +196,7 @@ impl<'a> Sections<'a> {
         }
     }
 
-    fn tendon(&self, element: &Element) -> Result<Tendon, Fault> {
+    pub fn tendon(&self, element: &Element) -> Result<Tendon, Fault> {
         let styled = self.defaults.styled_as(element, MAIN, &["tendon"])?;
         let armature = number(styled.find("armature"), &element.tag)?.unwrap_or(0.0);
         let mut joints = Vec::new();

@@ -5,6 +5,7 @@ use super::body::{Align, Joint, Motion};
 use super::compiler::Compiler;
 use super::defaults::Styled;
 use super::fault::{Fault, MjcfFault, fault};
+use super::spring::JointSpring;
 use crate::xml::Element;
 use eigenbody::spatial::{Transform, Vec3};
 
@@ -35,9 +36,6 @@ pub(super) fn read(joint: &Styled<'_>, frame: &Transform<f64>, settings: &Compil
     let pos = Vec3::from_f64(array(joint.find("pos"), tag)?.unwrap_or_default());
     let pos = if motion == Motion::Free { Vec3::ZERO } else { frame.inverse_point(pos) };
     // What does not touch H must still be numbers.
-    for name in ["damping", "stiffness"] {
-        numbers(joint.find(name), tag, 1..=3)?;
-    }
     for name in ["springref", "frictionloss", "margin"] {
         number(joint.find(name), tag)?;
     }
@@ -50,6 +48,7 @@ pub(super) fn read(joint: &Styled<'_>, frame: &Transform<f64>, settings: &Compil
         axis,
         reference: number(joint.find("ref"), tag)?.unwrap_or(0.0) * angle,
         armature: armature(joint)?,
+        spring: JointSpring::read(joint)?,
         limits: limits(joint, motion, settings)?.map(|(lower, upper)| (lower * angle, upper * angle)),
         align: Align::Auto,
     })
@@ -71,6 +70,7 @@ pub(super) fn read_free(element: &Element) -> Result<Joint, Fault> {
         axis: Vec3::Z,
         reference: 0.0,
         armature: 0.0,
+        spring: JointSpring::default(),
         limits: None,
         align,
     })

@@ -27,13 +27,14 @@ mod mesh;
 mod orientation;
 mod principal;
 mod schema;
+mod spring;
 mod world;
 
 pub use fault::MjcfFault;
 pub use mesh::MeshFault;
 
 use crate::error::FormatError;
-use crate::loaded::{Kind, Loaded, Note, Places};
+use crate::loaded::{Kind, Loaded, Note, Places, Stepping};
 use crate::xml::{Files, Spot};
 use asset::Assets;
 use attribute::{array, keyword};
@@ -46,8 +47,10 @@ use document::{Document, Model as Source};
 use eigenbody::dynamics::Closure;
 use eigenbody::model::{MimicSpec, Place};
 use eigenbody::spatial::Vec3;
+use eigenbody::stability::Spring;
 use eigenbody::{Base, BuildError, Model};
 use fault::{Fault, fault};
+use spring::{Options, Springs};
 use std::path::Path;
 use std::rc::Rc;
 use world::Reader;
@@ -97,7 +100,8 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
             FormatError::Unsuitable { text: name.clone(), problem }
         }
     })?;
-    let Built { model, notes, reference, link_spots, joint_spots, joint_names, closures } = built;
+    let Built { model, springs, stepping, notes, reference, link_spots, joint_spots, joint_names, closures } =
+        built;
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
@@ -111,8 +115,9 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
         (file.to_owned(), at, note)
     });
     let kind = Kind::File(path.to_owned());
-    let notes = notes.collect();
-    Ok(Loaded { notes, keyframes, closures, mimic: false, ..Loaded::new(model, name, kind, places) })
+    let loaded = Loaded::new(model, name, kind, places);
+    let (notes, stepping) = (notes.collect(), Some(stepping));
+    Ok(Loaded { notes, keyframes, closures, springs, stepping, mimic: false, ..loaded })
 }
 
 /// A fault with its place as text.
@@ -134,6 +139,8 @@ impl From<Fault> for Problem {
 
 struct Built {
     model: Model<f64>,
+    springs: Vec<Spring>,
+    stepping: Stepping,
     notes: Vec<(Spot, Note)>,
     reference: Vec<f64>,
     link_spots: Vec<Spot>,
@@ -164,12 +171,18 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
     let mut couplings = Couplings::default();
     let outside = root.children.iter().filter(|c| matches!(c.tag.as_str(), "body" | "frame" | "replicate"));
     couplings.notes.extend(outside.map(|c| (c.at, Note::OutsideWorld { element: c.described() })));
-    couplings.add(&Sections { root, defaults: &defaults, prefix: "", joints: &parts.known })?;
+    let mut springs = Springs::of_joints(&parts.springs, &parts.joints);
+    let mut add = |sections: &Sections<'_>| -> Result<(), Fault> {
+        couplings.add(sections)?;
+        springs.add(sections, &parts.joints)
+    };
+    add(&Sections { root, defaults: &defaults, prefix: "", joints: &parts.known })?;
     for (model, prefix) in &attached {
         let defaults = Defaults::read(&model.root, files)?;
-        couplings.add(&Sections { root: &model.root, defaults: &defaults, prefix, joints: &parts.known })?;
+        add(&Sections { root: &model.root, defaults: &defaults, prefix, joints: &parts.known })?;
     }
-    let Couplings { follow, armature, loops, notes } = couplings;
+    let Couplings { follow, armature, loops, mut notes } = couplings;
+    notes.append(&mut springs.notes);
     for (joint, extra) in armature {
         let spec = &mut parts.joints[joint];
         spec.armature.resize(spec.kind.nv(), 0.0);
@@ -180,7 +193,11 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
         parts.joints[f.joint].mimic =
             Some(MimicSpec { joint: leader, multiplier: f.multiplier, offset: f.offset });
     }
-    finish(parts, notes, &loops, root.at, options.base, files)
+    let specs = parts.joints.clone();
+    let built = finish(parts, notes, &loops, root.at, options.base, files)?;
+    let settings = Options::read(root)?;
+    let springs = settings.applied(springs.resolve(&built.model, &specs, &built.reference));
+    Ok(Built { springs, stepping: settings.stepping, ..built })
 }
 
 /// The model of the parts.
@@ -233,7 +250,8 @@ fn finish(
     }
     let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
     let closures = loops.iter().map(close).collect();
-    Ok(Built { model, notes, reference, link_spots, joint_spots, joint_names, closures })
+    let (springs, stepping) = (Vec::new(), Stepping::default());
+    Ok(Built { model, springs, stepping, notes, reference, link_spots, joint_spots, joint_names, closures })
 }
 
 /// What `<option>` says of gravity, if anything.

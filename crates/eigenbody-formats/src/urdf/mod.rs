@@ -1,7 +1,7 @@
 //! URDF: the links, inertias and joints of a robot description file.
 //!
 //! Read are `<link>` with `<inertial>` and `<joint>` with `<origin>`, `<axis>`, `<limit>` and `<mimic>`, as children of
-//! `<robot>`, and rotor inertia in `<transmission>` for those who ask; all else leaves H as it is and is passed over. Coordinates follow the order of the `<joint>` elements.
+//! `<robot>`, rotor inertia in `<transmission>` for those who ask, and `<dynamics damping>` for time steps; all else leaves H as it is and is passed over. Coordinates follow the order of the `<joint>` elements.
 //! A link without `<inertial>` is a frame without mass; a planar joint moves in the plane normal to its axis; units are SI.
 
 mod element;
@@ -10,6 +10,7 @@ mod joint;
 mod link;
 mod pose;
 mod rotor;
+mod spring;
 
 pub use fault::UrdfFault;
 pub use rotor::Rotor;
@@ -96,9 +97,11 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         let at = Location::at(text.as_bytes(), offset);
         (file_name.to_owned(), at, note)
     }));
+    let springs = spring::springs(robot, &model)
+        .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
     let rotors = rotors.into_iter().map(|(rotor, _)| rotor).collect();
     let kind = Kind::File(file_name.into());
-    Ok(Loaded { rotors, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
+    Ok(Loaded { rotors, springs, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.

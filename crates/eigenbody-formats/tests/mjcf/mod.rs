@@ -7,6 +7,7 @@ mod files;
 mod loops;
 mod matrices;
 mod names;
+mod springs;
 
 use eigenbody_formats::{Loaded, MjcfOptions, read_mjcf_str};
 

@@ -106,3 +106,13 @@ fn links_on_fixed_joints_are_one_body() {
     let merged = H(&format!(r#"<link name="base"/>{one}{hinge}{arm}"#), &q);
     assert_close(&H(&format!("{text}{arm}"), &q), &merged, 20.0, merged.max_abs());
 }
+
+#[test]
+fn damping_of_joints_is_read() {
+    let text = r#"<robot name="r"><link name="a"/><link name="b"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="j" type="continuous"><parent link="a"/><child link="b"/><dynamics damping="0.25" friction="1"/></joint></robot>"#;
+    let loaded =
+        eigenbody_formats::read_urdf_str(text, "r.urdf", &eigenbody_formats::UrdfOptions::default()).unwrap();
+    let spring = &loaded.springs[0];
+    assert_eq!((spring.arms.as_slice(), spring.stiffness, spring.damping), (&[(0, 1.0)][..], 0.0, 0.25));
+}

@@ -3,11 +3,13 @@
 mod advice;
 mod baseline;
 mod sarif;
+mod stepping;
 mod text;
 mod words;
 
 pub use advice::{AddedReport, AdviceReport, advice_text};
 pub use baseline::{Baseline, Change, Comparison, Fixed, State};
+pub use stepping::SteppingReport;
 pub use text::diagnosis_text;
 
 use eigenbody::search::Measure;
@@ -32,6 +34,8 @@ pub struct DiagnosisReport {
     pub null_motions: Vec<Vec<RateReport>>,
     /// What precisions keep at the worst κ′.
     pub digits: Option<DigitsReport>,
+    /// Stable steps and gains, with springs or a step.
+    pub stepping: Option<SteppingReport>,
     /// What is wrong.
     pub findings: Vec<FindingReport>,
     /// What is suspicious about the model itself.
@@ -273,6 +277,7 @@ impl DiagnosisReport {
                     })
                     .collect(),
             }),
+            stepping: found.stepping.as_ref().map(SteppingReport::from),
             findings: found.findings.iter().map(|finding| report(finding, found)).collect(),
             model_findings,
             remarks: Vec::new(),
@@ -317,7 +322,7 @@ fn report(finding: &Finding, found: &Diagnosis) -> FindingReport {
         id: finding.id,
         severity: severity(finding.severity),
         message: message(finding, found),
-        advice: advice(finding),
+        advice: advice(finding, found),
         joints: finding.joints.clone(),
         value: finite(finding.value),
         limit: finding.limit,

@@ -1,5 +1,6 @@
 //! The page for the terminal.
 
+use super::stepping::{shares, stepping_text};
 use super::words::{advice, message, number, severity};
 use eigenbody::search::Measure;
 use eigenbody_study::diagnosis::{Blame, Diagnosis, Finding, Mechanism, Use, Worst};
@@ -32,6 +33,11 @@ pub fn diagnosis_text(model: &str, found: &Diagnosis, model_findings: &[String])
             "  at the worst κ' an acceleration keeps {single} of 7 digits in f32, {double} of 15 in f64"
         );
     }
+    if let Some(stepping) = &found.stepping {
+        for line in stepping_text(stepping).lines() {
+            let _ = writeln!(page, "  {}", wrapped(line.trim_start(), 4));
+        }
+    }
     if found.findings.is_empty() {
         let _ = writeln!(page, "\n  Nothing found: well-conditioned for solves, gains and single precision.");
     }
@@ -47,7 +53,7 @@ pub fn diagnosis_text(model: &str, found: &Diagnosis, model_findings: &[String])
             );
         }
         page.push_str(&details(&group[0], found));
-        let _ = writeln!(page, "    = help: {}", wrapped(&advice(&group[0]), 12));
+        let _ = writeln!(page, "    = help: {}", wrapped(&advice(&group[0], found), 12));
     }
     if !model_findings.is_empty() {
         let n = model_findings.len();
@@ -112,6 +118,14 @@ fn details(finding: &Finding, found: &Diagnosis) -> String {
         };
         let _ = writeln!(text, "    mechanism: {how}");
         let _ = writeln!(text, "    at: {}", configuration(&finding.at, found, &finding.joints));
+    }
+    if finding.endangers == Use::Stepping {
+        let own =
+            found.stepping.iter().flat_map(|s| s.limits.iter().filter(|l| l.integrator == s.integrator));
+        for limit in own.filter(|limit| !limit.at.is_empty()) {
+            let _ = writeln!(text, "    what grows: {}", shares(&limit.dofs));
+            let _ = writeln!(text, "    at: {}", configuration(&limit.at, found, &finding.joints));
+        }
     }
     if finding.endangers == Use::Everything {
         for motion in &found.null_motions {

@@ -11,10 +11,10 @@
 
 use crate::StudyError;
 use eigenbody::dynamics::forward_dynamics;
-use eigenbody::factor::Ltl;
+use eigenbody::factor::{Cholesky, Ltl};
 use eigenbody::model::Random;
 use eigenbody::scalar::{Dd, Real, Scalar};
-use eigenbody::{Matrix, Metric, Model, Reduction, mass_matrix};
+use eigenbody::{Metric, Model, Reduction, mass_matrix};
 
 /// Right-hand sides; the worst counts.
 const SIDES: u64 = 8;
@@ -168,28 +168,16 @@ fn cholesky<T: Real>(
     reduction: Reduction,
     tau: &[f64],
 ) -> Result<Option<Vec<T>>, StudyError> {
-    let mut L: Matrix<T> = match reduction.mass_matrix(model, &numbers::<T>(q)) {
+    let H = match reduction.mass_matrix(model, &numbers::<T>(q)) {
         Ok(H) => H,
         Err(eigenbody::Error::NotPositiveDefinite(_)) => return Ok(None),
         Err(error) => return Err(error.into()),
     };
-    let n = L.rows();
+    let mut factors = Cholesky::new(H.rows());
     let mut x = numbers::<T>(tau);
-    for k in 0..n {
-        for j in 0..=k {
-            let sum = (0..j).fold(L[(k, j)], |sum, m| sum - L[(k, m)] * L[(j, m)]);
-            L[(k, j)] = if j < k {
-                sum / L[(j, j)]
-            } else if sum > T::ZERO {
-                sum.sqrt()
-            } else {
-                return Ok(None);
-            };
-        }
-        x[k] = (0..k).fold(x[k], |sum, m| sum - L[(k, m)] * x[m]) / L[(k, k)];
-    }
-    for k in (0..n).rev() {
-        x[k] = (k + 1..n).fold(x[k], |sum, m| sum - L[(m, k)] * x[m]) / L[(k, k)];
+    match factors.factor(&H) {
+        Ok(_) => factors.solve(&mut x)?,
+        Err(_) => return Ok(None),
     }
     Ok(Some(x))
 }

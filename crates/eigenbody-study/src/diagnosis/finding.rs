@@ -1,6 +1,6 @@
 //! Verdicts: what is wrong, how gravely, and for whom.
 
-use super::{Diagnosis, Mechanism, Worst};
+use super::{Diagnosis, Mechanism, Part, Stepping, Worst};
 use eigenbody::search::Measure;
 
 /// How much a finding matters.
@@ -25,6 +25,8 @@ pub enum Use {
     SinglePrecision,
     /// Gains, explicit time steps, gradients.
     Gains,
+    /// Simulation and control at the step that is wanted.
+    Stepping,
 }
 
 /// Thresholds of findings.
@@ -102,24 +104,45 @@ pub(super) fn findings(found: &Diagnosis, limits: &Limits) -> Vec<Finding> {
     {
         findings.push(at(worst, "gains", Use::Gains, worst.spread.worst, limits.kappa));
     }
+    findings.extend(found.stepping.as_ref().and_then(time_step));
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     findings
 }
 
-fn at(worst: &Worst, id: &'static str, endangers: Use, value: f64, limit: f64) -> Finding {
-    let joints = worst.blame.as_ref().map_or_else(Vec::new, |blame| {
-        let parts = blame.soft.dofs.iter();
-        // As many as make up nine tenths.
-        let mut sum = 0.0;
-        parts
-            .take_while(|part| {
-                let before = sum;
-                sum += part.share;
-                before < 0.9
-            })
-            .map(|part| part.name.clone())
-            .collect()
+/// The step that is wanted is not stable everywhere.
+fn time_step(stepping: &Stepping) -> Option<Finding> {
+    let step = stepping.step?;
+    let finding = |limit: f64, joints: Vec<String>, at: Vec<f64>| Finding {
+        id: "time-step",
+        severity: Severity::Warning,
+        endangers: Use::Stepping,
+        value: step,
+        limit,
+        joints,
+        at,
+        mechanism: None,
+    };
+    if !stepping.passive {
+        return Some(finding(0.0, Vec::new(), Vec::new()));
+    }
+    let own = stepping.limits.iter().find(|limit| limit.integrator == stepping.integrator)?;
+    let joints = nine_tenths(&own.dofs);
+    (step > own.step).then(|| finding(own.step, joints, own.at.clone()))
+}
+
+/// As many names as make up nine tenths.
+fn nine_tenths(parts: &[Part]) -> Vec<String> {
+    let mut sum = 0.0;
+    let few = parts.iter().take_while(|part| {
+        let before = sum;
+        sum += part.share;
+        before < 0.9
     });
+    few.map(|part| part.name.clone()).collect()
+}
+
+fn at(worst: &Worst, id: &'static str, endangers: Use, value: f64, limit: f64) -> Finding {
+    let joints = worst.blame.as_ref().map_or_else(Vec::new, |blame| nine_tenths(&blame.soft.dofs));
     Finding {
         id,
         severity: Severity::Warning,

@@ -5,6 +5,7 @@
 //! blame of their modes        ->  which joints and links, by which mechanism
 //! exact null motions          ->  what moves no mass anywhere
 //! digits, measured            ->  float32-safe or not
+//! springs, dampers, feedback  ->  the largest stable step, the largest gains
 //! limits                      ->  findings
 //! ```
 
@@ -13,6 +14,7 @@ mod blame;
 mod digits;
 mod finding;
 mod rest;
+mod stepping;
 
 pub use advise::{Added, Advice, Goal, least_armature};
 pub(crate) use blame::softest;
@@ -20,6 +22,7 @@ pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
 pub use finding::{Finding, Limits, Severity, Use};
 pub use rest::NullMotion;
+pub use stepping::{Drive, JointGains, ModeGains, Stepping, WorstStep};
 
 use crate::StudyError;
 use eigenbody::search::{Effort, Evaluator, Measure, Spread, Survey, Values, survey};
@@ -36,6 +39,8 @@ pub struct Question {
     pub effort: Effort,
     /// What counts as a finding.
     pub limits: Limits,
+    /// How the robot is driven and simulated.
+    pub drive: Drive,
 }
 
 impl Default for Question {
@@ -45,6 +50,7 @@ impl Default for Question {
             metric: Metric::Euclidean,
             effort: Effort::default(),
             limits: Limits::default(),
+            drive: Drive::default(),
         }
     }
 }
@@ -75,6 +81,8 @@ pub struct Diagnosis {
     pub null_motions: Vec<NullMotion>,
     /// What single precision and double precision keep of a solve at the worst κ′; none for a singular robot.
     pub digits: Option<Digits>,
+    /// Stable steps and gains; none without springs and without a step, and for a robot with motions that move no mass.
+    pub stepping: Option<Stepping>,
     /// What is wrong, the gravest first.
     pub findings: Vec<Finding>,
 }
@@ -108,13 +116,14 @@ pub fn diagnose(
     question: &Question,
     progress: impl Fn(usize) + Sync,
 ) -> Result<Diagnosis, StudyError> {
-    let Question { reduction, metric, effort, limits } = question;
+    let Question { reduction, metric, effort, limits, drive } = question;
     let rows = reduction.dofs(model);
     let dofs: Vec<String> = rows.iter().map(|&d| model.dof_name(d)).collect();
     let unit = metric.unit(rows.iter().map(|&d| model.is_translation(d)));
     if rows.is_empty() {
         let (worst, null_motions, findings) = (Vec::new(), Vec::new(), Vec::new());
-        return Ok(Diagnosis { dofs, unit, worst, evaluations: 0, null_motions, digits: None, findings });
+        let (digits, stepping) = (None, None);
+        return Ok(Diagnosis { dofs, unit, worst, evaluations: 0, null_motions, digits, stepping, findings });
     }
     let null_motions = rest::null_motions(model, *reduction)?;
     let Survey { spreads, evaluations } = survey(model, *reduction, metric, *effort, progress)?;
@@ -130,7 +139,12 @@ pub fn diagnose(
         Some(worst) if null_motions.is_empty() => digits::measure(model, *reduction, &worst.spread.at)?,
         _ => None,
     };
-    let mut found = Diagnosis { dofs, unit, worst, evaluations, null_motions, digits, findings: Vec::new() };
+    let stepping = match null_motions.is_empty() {
+        true => stepping::stepping(model, *reduction, drive, *effort, &worst)?,
+        false => None,
+    };
+    let findings = Vec::new();
+    let mut found = Diagnosis { dofs, unit, worst, evaluations, null_motions, digits, stepping, findings };
     found.findings = finding::findings(&found, limits);
     Ok(found)
 }

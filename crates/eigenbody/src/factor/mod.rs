@@ -1,11 +1,13 @@
-//! Factorisations of H that keep its branch-sparse pattern.
+//! Factorisations: of H along its tree, and of any symmetric matrix.
 //!
-//! Elimination runs from the tips inwards, so that no entry between different branches ever fills in (Featherstone 2008,
-//! §6.5). Both factorisations have the same doors: `new`, `factor`, `solve`, `inverse_into`, `reconstruct_into`.
+//! Elimination of H runs from the tips inwards, so that no entry between different branches ever fills in (Featherstone 2008,
+//! §6.5). All have the same doors: `new`, `factor`, `solve`, `inverse_into`, `reconstruct_into`.
 
+mod cholesky;
 mod ltdl;
 mod ltl;
 
+pub use cholesky::Cholesky;
 pub use ltdl::Ltdl;
 pub use ltl::Ltl;
 

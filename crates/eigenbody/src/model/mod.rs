@@ -25,7 +25,7 @@ pub use random::Random;
 
 use crate::error::InputError;
 use crate::scalar::{Real, Scalar};
-use crate::spatial::Vec3;
+use crate::spatial::{RigidInertia, Vec3};
 
 /// Largest number of bodies a model may have.
 pub const MAX_BODIES: usize = 10_000_000;
@@ -106,6 +106,44 @@ impl<T: Scalar> Model<T> {
             return Err(InputError::NotPositive { what: "armature", index, value });
         }
         self.armature = armature;
+        Ok(self)
+    }
+
+    /// The same model with another inertia of the body that a link is part of, about the link's origin on the link's axes.
+    ///
+    /// Errors: [`InputError`] for a link that is not there or does not move, or numbers that are not finite.
+    pub fn with_inertia(mut self, link: usize, inertia: RigidInertia<T>) -> Result<Self, InputError>
+    where
+        T: Real,
+    {
+        let found = self.links.get(link).and_then(LinkInfo::body);
+        let Some(body) = found else {
+            return Err(InputError::Length { what: "links", expected: self.links.len(), found: link });
+        };
+        let RigidInertia { m, h, I } = inertia.map(|x| x.to_f64());
+        let numbers = [m, h.x, h.y, h.z, I.xx, I.yy, I.zz, I.xy, I.xz, I.yz];
+        if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
+            return Err(InputError::NotFinite { what: "inertia", index });
+        }
+        self.bodies[body].I = self.links[link].link_from_body().transpose_rigid(inertia);
+        Ok(self)
+    }
+
+    /// The same model with other limits of a joint of one coordinate (rad, m).
+    ///
+    /// Errors: [`InputError`] for a joint that is not there or has several coordinates, or limits that are no interval.
+    pub fn with_limits(mut self, joint: usize, limits: Option<(T, T)>) -> Result<Self, InputError>
+    where
+        T: Real,
+    {
+        let count = self.joints.len();
+        let Some(info) = self.joints.get_mut(joint).filter(|info| info.kind.nq() == 1) else {
+            return Err(InputError::Length { what: "joints", expected: count, found: joint });
+        };
+        if limits.is_some_and(|(lower, upper)| !(lower <= upper)) {
+            return Err(InputError::NotFinite { what: "limits", index: joint });
+        }
+        info.limits = limits;
         Ok(self)
     }
 

@@ -14,15 +14,19 @@ const SETTLED: f64 = 1e-9;
 const LONGEST: f64 = 1.0;
 
 /// A function on points that can be moved along a step.
-pub(super) trait Landscape {
+pub trait Landscape {
+    /// Where to look.
     type Point: Clone;
-    /// Value and gradient; none where they do not exist.
+    /// Value, not below zero, and gradient; none where they do not exist.
     fn look(&mut self, at: &Self::Point) -> Option<(f64, Vec<f64>)>;
+    /// The point moved along a step.
     fn moved(&self, from: &Self::Point, step: &[f64]) -> Self::Point;
 }
 
-/// The lowest point found from `start` in at most `looks` evaluations, and its value.
-pub(super) fn descend<L: Landscape>(land: &mut L, start: &L::Point, looks: usize) -> Option<(L::Point, f64)> {
+/// The lowest point found from `start` in at most `looks` evaluations, and its value; none if there is no value at `start`.
+///
+/// Method: BFGS (Nocedal & Wright 2006, §6.1) with a backtracking line search, until the value settles to 1e-9 or is zero.
+pub fn descend<L: Landscape>(land: &mut L, start: &L::Point, looks: usize) -> Option<(L::Point, f64)> {
     let (mut x, (mut f, mut g)) = (start.clone(), land.look(start)?);
     let n = g.len();
     let mut W = None;

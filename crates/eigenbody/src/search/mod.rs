@@ -10,7 +10,8 @@ mod evaluate;
 mod measure;
 mod worst;
 
+pub use descent::{Landscape, descend};
 pub use domain::{Domain, Point};
 pub use evaluate::Evaluator;
 pub use measure::{Measure, Values};
-pub use worst::{Effort, Spread, Survey, survey};
+pub use worst::{Effort, Spread, Survey, sample_points, survey};

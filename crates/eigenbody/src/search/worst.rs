@@ -103,12 +103,7 @@ fn sample(
     effort: Effort,
     progress: &(impl Fn(usize) + Sync),
 ) -> Result<Vec<Sampled>, Error> {
-    let count = effort.samples.clamp(1, 65_536);
-    // The neutral configuration and the middle of all limits are configurations that people use.
-    let first = [domain.nearest(&domain.model().neutral()), domain.point(&vec![0.5; domain.dimensions()])];
-    let drawn = (0..count).map(|index| domain.point(&cube(index, domain.dimensions(), effort.seed)));
-    let points: Vec<Point> = first.into_iter().chain(drawn).collect();
-    points
+    sample_points(domain, effort.samples, effort.seed)
         .into_par_iter()
         .map_init(
             || evaluator.clone(),
@@ -119,6 +114,15 @@ fn sample(
             },
         )
         .collect()
+}
+
+/// The neutral configuration, the middle of all limits, and so many points of a scrambled Sobol sequence (1 to 65,536).
+pub fn sample_points(domain: &Domain<'_>, samples: u32, seed: u32) -> Vec<Point> {
+    // The first two are configurations that people use.
+    let first = [domain.nearest(&domain.model().neutral()), domain.point(&vec![0.5; domain.dimensions()])];
+    let drawn =
+        (0..samples.clamp(1, 65_536)).map(|index| domain.point(&cube(index, domain.dimensions(), seed)));
+    first.into_iter().chain(drawn).collect()
 }
 
 /// A point of the unit cube: Sobol's sequence, scrambled; beyond its 256 dimensions, random.

@@ -1,7 +1,7 @@
 //! The inertia of a rigid body: ten numbers.
 
 use super::{Force, Mat3, Motion, Sym3, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use std::ops::{Add, AddAssign};
 
 /// Spatial inertia of a rigid body about the origin of its frame: [I h×; −h× m].
@@ -27,6 +27,16 @@ impl<T: Scalar> RigidInertia<T> {
     pub fn from_com(m: T, c: Vec3<T>, I_com: Sym3<T>) -> Self {
         let shift = Mat3::cross(c) * Mat3::cross(c) * m;
         Self { m, h: c * m, I: I_com - shift.symmetric() }
+    }
+
+    /// Mass, centre of mass and rotational inertia about it: the inverse of [`from_com`](Self::from_com). Without mass the centre is
+    /// the origin.
+    pub fn central(&self) -> (T, Vec3<T>, Sym3<T>)
+    where
+        T: Real,
+    {
+        let c = if self.m > T::ZERO { self.h * (T::ONE / self.m) } else { Vec3::ZERO };
+        (self.m, c, self.I - Self::from_com(self.m, c, Sym3::ZERO).I)
     }
 
     /// I v: the momentum of the body that moves with v.

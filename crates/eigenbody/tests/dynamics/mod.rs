@@ -8,6 +8,7 @@ mod denoc;
 mod energy;
 mod floating;
 mod gradient;
+mod inertial;
 mod kinematics;
 mod momentum;
 mod reduction;

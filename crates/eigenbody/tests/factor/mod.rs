@@ -1,3 +1,4 @@
+mod cholesky;
 mod ltdl;
 mod ltl;
 
