@@ -6,6 +6,7 @@ use eigenbody::scalar::Dd;
 use eigenbody::spectrum::Precision;
 use eigenbody_report::rules;
 use eigenbody_study::diagnosis::Severity;
+use serde::Deserialize;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -244,7 +245,7 @@ pub struct ReportArgs {
 }
 
 /// How a robot is driven and stepped.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub struct GainArgs {
     /// Stiffness on joints in place of the gains of the file's actuators: a number for all, or 'elbow=100,wrist=5' (N m/rad, N/m).
     #[arg(long, value_name = "GAINS", allow_hyphen_values = true)]
@@ -264,7 +265,8 @@ pub struct GainArgs {
 }
 
 /// `--integrator`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum IntegratorArg {
     /// Semi-implicit Euler.
     SemiImplicit,

@@ -202,6 +202,12 @@ fn settings_are_found() {
     scratch.file("robots/eigenbody.toml", "[check]\nmax-kappa = 10\nfail-on = \"error\"\n");
     assert_eq!(check(&path, &[]).0, 0);
     assert_eq!(check(&path, &["--fail-on", "warning"]).0, 1);
+    // Gains, step and integrator as well: 0.1 s is far too long for 10,000 N m/rad on this arm.
+    let driven =
+        scratch.file("driven.toml", "[check]\nkp = 1e4\nkd = \"elbow=1\"\ndt = 0.1\nintegrator = \"rk4\"\n");
+    let (status, page) = check(&path, &["--config", &driven]);
+    assert!(status == 1 && page.contains("warning[time-step]"), "{page}");
+    assert_eq!(check(&path, &["--config", &driven, "--dt", "1e-9"]).0, 0);
     let named = scratch.file("strict.toml", "[check]\nmax-kappa = 1e7\n");
     assert_eq!(check(&path, &["--config", &named]).0, 0);
 }
@@ -213,7 +219,7 @@ fn faults_of_settings_are_located() {
         let path = scratch.file("s.toml", text);
         failure(&["check", "puma560", "--config", &path]).replace(&path, "s.toml")
     };
-    assert_snapshot!(fault("[check]\nmax-kapa = 3\n"), @"error: s.toml:2:1: unknown field `max-kapa`, expected one of `metric`, `samples`, `seed`, `max-kappa-weighted`, `max-kappa`, `f32-digits`, `fail-on`");
+    assert_snapshot!(fault("[check]\nmax-kapa = 3\n"), @"error: s.toml:2:1: unknown field `max-kapa`, expected one of `metric`, `samples`, `seed`, `max-kappa-weighted`, `max-kappa`, `f32-digits`, `kp`, `kd`, `dt`, `integrator`, `fail-on`");
     assert_snapshot!(fault("[check]\nmax-kappa = -3\n"), @"error: s.toml:2:13: max-kappa = -3: expected a positive number");
     assert_snapshot!(fault("[check]\nmax-kappa = \"big\"\n"), @r#"error: s.toml:2:13: invalid type: string "big", expected f64"#);
     assert_snapshot!(fault("[check]\nsamples = 0\n"), @"error: s.toml:2:11: samples = 0: expected 1 to 65536");

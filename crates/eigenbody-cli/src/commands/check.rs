@@ -95,7 +95,7 @@ fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
         seed: args.seed.or(settings.seed).unwrap_or(default.seed),
         ..default
     };
-    let drive = drive(&args.gains, &loaded)?;
+    let drive = drive(&settings.drive(&args.gains), &loaded)?;
     let question = Question { reduction, metric, effort, limits: limits(args, &settings)?, drive };
     let bar = progress();
     let found = diagnose(&loaded.model, &question, |evaluated| bar.inc(evaluated as u64));

@@ -71,6 +71,7 @@ impl Page {
         let main = [
             section("findings", "Findings", prose::findings(&self.report)),
             section("numbers", "Numbers", numbers::summary(self)),
+            section("steps", "Time step and gains", numbers::stepping(self.report.stepping.as_ref())),
             section("worst", "Worst configurations", pictures::worst(self)),
             section("spectrum", "Spectrum", pictures::spectrum(self)),
             section("matrix", "Matrix", pictures::matrices(self)),

@@ -2,7 +2,7 @@
 
 use super::html::{Html, table};
 use super::{Page, heading, symbol};
-use crate::diagnosis::AdviceReport;
+use crate::diagnosis::{AdviceReport, SteppingReport};
 use crate::number::significant;
 use eigenbody_study::portrait::ModePlace;
 
@@ -67,6 +67,62 @@ pub(super) fn summary(page: &Page) -> Html {
     for (k, motion) in report.null_motions.iter().enumerate() {
         let rows = motion.iter().map(|rate| vec![Html::text(&rate.joint), data("", Some(rate.rate), "")]);
         whole.push(table(&format!("Motion {} that moves no mass", k + 1), &["joint", "rate"], rows));
+    }
+    whole
+}
+
+/// The largest stable step of each integrator, and the gains that joints bear at the step that is wanted.
+pub(super) fn stepping(found: Option<&SteppingReport>) -> Html {
+    let Some(found) = found else {
+        return Html::words("p", "Nothing holds or drives a joint: no step is asked of it.");
+    };
+    if !found.passive {
+        return Html::words("p", "A stiffness or damping is below zero: no step is stable.");
+    }
+    let asked = match found.step {
+        Some(step) => Html::text("Asked for: ")
+            .then(data("", Some(step), ""))
+            .then(Html::text(format!(" s, {}.", found.integrator))),
+        None => Html::text(format!("No step is asked for; {}.", found.integrator)),
+    };
+    let mut whole = Html::element("p", &[], asked);
+    let rows = found.limits.iter().map(|limit| {
+        let pulls: Vec<String> = limit
+            .joints
+            .iter()
+            .take(3)
+            .map(|part| format!("{} {:.0}%", part.joint, 100.0 * part.share))
+            .collect();
+        vec![
+            Html::text(limit.integrator),
+            data("", limit.largest, "without limit"),
+            data("", Some(limit.stiffness), ""),
+            data("", Some(limit.damping), ""),
+            Html::text(pulls.join(", ")),
+        ]
+    });
+    let headings =
+        ["integrator", "largest step (s)", "of (K, H) (1/s²)", "of (D, H) (1/s)", "in the motion that grows"];
+    whole.push(table("The largest stable step over the joint limits", &headings, rows));
+    if found
+        .joints
+        .iter()
+        .any(|joint| joint.largest_kp.is_some() || joint.stiffness != 0.0 || joint.damping != 0.0)
+    {
+        let rows = found.joints.iter().map(|joint| {
+            vec![
+                Html::text(&joint.joint),
+                data("", Some(joint.stiffness), ""),
+                data("", Some(joint.damping), ""),
+                data("", Some(joint.inertia), ""),
+                data("", joint.largest_kp, "–"),
+                data("", joint.largest_kd, "–"),
+            ]
+        });
+        let headings = ["joint", "kp it has", "kd it has", "least inertia", "largest kp", "largest kd"];
+        let gains = table("Gains of each joint, and what it bears alone at that step", &headings, rows);
+        let summary = Html::words("summary", "Gains, joint by joint");
+        whole.push(Html::element("details", &[], summary.then(gains)));
     }
     whole
 }

@@ -29,6 +29,7 @@ pub(super) fn lead(page: &Page) -> Html {
     let links = [
         ("#findings", "Findings"),
         ("#numbers", "Numbers"),
+        ("#steps", "Time step and gains"),
         ("#worst", "Worst configurations"),
         ("#spectrum", "Spectrum"),
         ("#matrix", "Matrix"),
