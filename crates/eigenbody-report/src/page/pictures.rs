@@ -16,7 +16,9 @@ const LISTED: usize = 400;
 
 fn figure(scene: &Scene, title: &str, about: &str, caption: &str) -> Html {
     let drawing = Html::drawing(scene, title, about);
-    Html::element("figure", &[], drawing.then(Html::words("figcaption", caption))).then(Html::fixed("\n"))
+    // On a narrow screen drawings scroll by themselves, also by keyboard.
+    Html::element("figure", &[("tabindex", "0")], drawing.then(Html::words("figcaption", caption)))
+        .then(Html::fixed("\n"))
 }
 
 fn names(portrait: &Portrait) -> Vec<String> {
@@ -71,7 +73,7 @@ fn picture(worst: &WorstPicture, what: &str, mode: &ModePlace) -> Html {
         .collect();
     let about = format!("Two drawings of the robot. {title}: {}.", parts.join(", "));
     figure(&pose::scene(portrait, Some(mode)), &title, &about, &format!("{title}.")).then(numbers::mode(
-        &format!("{title}, joint by joint"),
+        &format!("{} mode, joint by joint", sentence(what)),
         mode,
         &names(portrait),
     ))
