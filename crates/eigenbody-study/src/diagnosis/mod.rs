@@ -16,7 +16,7 @@ mod finding;
 mod rest;
 mod stepping;
 
-pub use advise::{Added, Advice, Goal, least_armature};
+pub use advise::{Added, Advice, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies};
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
 pub use finding::{Finding, Limits, Severity, Use};
