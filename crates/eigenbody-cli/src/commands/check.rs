@@ -1,5 +1,6 @@
 //! `eigenbody check`.
 
+use super::advise::advise;
 use super::drive::drive;
 use super::positive;
 use crate::args::{CheckArgs, CheckFormat, FailOn};
@@ -7,11 +8,10 @@ use crate::failure::Failure;
 use crate::output::deliver;
 use crate::system::robot;
 use eigenbody::search::Effort;
-use eigenbody::{Model, Reduction};
-use eigenbody_formats::{Kind, write_mjcf};
+use eigenbody_formats::Kind;
 use eigenbody_report::{DiagnosisReport, advice_text, diagnosis_text};
 use eigenbody_study::StudyError;
-use eigenbody_study::diagnosis::{Advice, Goal, Limits, Question, Severity, diagnose, least_armature};
+use eigenbody_study::diagnosis::{Limits, Question, Severity, diagnose};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
@@ -33,10 +33,11 @@ pub fn run(args: &CheckArgs) -> Result<bool, Failure> {
         error => Failure::Usage(format!("{name}: {error}")),
     })?;
     let own = if matches!(loaded.kind, Kind::File(_)) { loaded.findings() } else { Vec::new() };
-    let advice = advise(args, model, reduction, effort)?;
+    let advice = advise(args, &loaded, reduction, effort, &question.drive)?;
     let text = match args.format {
         CheckFormat::Human => {
-            diagnosis_text(name, &found, &own) + &advice.iter().map(advice_text).collect::<String>()
+            let advice = advice.iter().map(|(goal, found)| advice_text(*goal, found));
+            diagnosis_text(name, &found, &own) + &advice.collect::<String>()
         }
         CheckFormat::Json => {
             let json = DiagnosisReport::new(name, &found, own).with_advice(advice.as_ref()).to_json();
@@ -50,38 +51,6 @@ pub fn run(args: &CheckArgs) -> Result<bool, Failure> {
         FailOn::Never => return Ok(true),
     };
     Ok(!found.findings.iter().any(|finding| finding.severity >= least))
-}
-
-/// The least armature for what is wanted, and a model with it where one is asked for.
-fn advise(
-    args: &CheckArgs,
-    model: &Model<f64>,
-    reduction: Reduction,
-    effort: Effort,
-) -> Result<Option<Advice>, Failure> {
-    let goal = match (args.want_kappa, args.want_lambda_min) {
-        (None, None) if args.write_patch.is_some() => {
-            return Err(Failure::Usage(
-                "--write-patch: say what is wanted, --want-kappa or --want-lambda-min".into(),
-            ));
-        }
-        (None, None) => return Ok(None),
-        (Some(kappa), _) => Goal::Kappa(positive("--want-kappa", kappa)?),
-        (None, Some(least)) => Goal::LambdaMin(positive("--want-lambda-min", least)?),
-    };
-    let name = &args.model.model;
-    let failed = |error: StudyError| Failure::Usage(format!("{name}: {error}"));
-    let Some(advice) = least_armature(model, reduction, goal, effort).map_err(failed)? else {
-        return Err(Failure::Usage(format!("{name}: no armature was found that does what is wanted")));
-    };
-    if let Some(path) = &args.write_patch {
-        let mended = model.clone().with_armature(advice.armature.clone());
-        let mended =
-            mended.map_err(|source| Failure::Numbers { model: name.clone(), source: source.into() })?;
-        let text = write_mjcf(&mended).map_err(|source| Failure::Write { model: name.clone(), source })?;
-        deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
-    }
-    Ok(Some(advice))
 }
 
 fn limits(args: &CheckArgs) -> Result<Limits, Failure> {

@@ -150,12 +150,19 @@ impl<'a> Programme<'a> {
     /// The optimum of the rows so far, in units of each unknown's own cost.
     fn solve(&self) -> Option<Vec<f64>> {
         let costs = self.remedy.costs();
-        let scale = self.remedy.scales();
+        // Unknowns near one: the solver's tolerances are absolute.
+        let reach = |Cut { c, b }: &Cut| {
+            let scales = self.remedy.scales();
+            b / c.iter().zip(scales).fold(0.0f64, |m, (c, s)| m.max((c * s).abs()))
+        };
+        let unit = self.cuts.iter().map(reach).filter(|x| x.is_finite()).fold(0.0, f64::max);
+        let unit = if unit > 0.0 { unit } else { 1.0 };
+        let scale: Vec<f64> = self.remedy.scales().iter().map(|scale| scale * unit).collect();
         let mut problem = Problem::new(OptimizationDirection::Minimize);
         let variables: Vec<_> = (0..costs.len())
             .map(|k| {
                 let lowest = if self.remedy.is_free(k) { f64::NEG_INFINITY } else { 0.0 };
-                problem.add_var(costs[k] * scale[k], (lowest, f64::INFINITY))
+                problem.add_var(costs[k] * scale[k] / unit, (lowest, f64::INFINITY))
             })
             .collect();
         for Cut { c, b } in &self.cuts {
