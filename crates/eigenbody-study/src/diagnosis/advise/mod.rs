@@ -20,14 +20,18 @@ pub use remedy::LinkAdvice;
 
 use super::stepping::worst_step;
 use crate::StudyError;
-use eigenbody::search::{Domain, Effort, Measure, survey};
+use eigenbody::search::{Domain, Effort, Measure, sample_points, survey};
 use eigenbody::stability::{Impedance, Integrator, Spring};
 use eigenbody::{Metric, Model, Question, Reduction, conditioning_at};
 use programme::Programme;
 use remedy::Remedy;
 
 /// Searches for the worst of the mended robot.
-const SEARCHES: usize = 8;
+const SEARCHES: usize = 40;
+/// The same where a single link is to do what all joints may: it does soon or not at all.
+const SEARCHES_OF_A_LINK: usize = 6;
+/// Configurations to begin with.
+const FIRST: u32 = 30;
 /// Links whose inertia is tried.
 const LINKS: usize = 4;
 
@@ -180,11 +184,12 @@ struct Found {
 /// The least change of one kind; none if there is none.
 fn least(model: &Model<f64>, judge: &Judge<'_>, remedy: &Remedy) -> Result<Option<Found>, StudyError> {
     let domain = Domain::new(model, judge.wish.reduction.mimic);
-    let mut configurations: Vec<Vec<f64>> = vec![model.neutral()];
-    configurations.push(domain.configuration(&domain.point(&vec![0.5; domain.dimensions()])));
+    let points = sample_points(&domain, FIRST, judge.effort.seed);
+    let mut configurations: Vec<Vec<f64>> = points.iter().map(|point| domain.configuration(point)).collect();
     let mut programme = Programme::new(judge, remedy);
     let mut checked = 0;
-    for round in 0..SEARCHES {
+    let searches = if remedy.is_of_one_link() { SEARCHES_OF_A_LINK } else { SEARCHES };
+    for round in 0..searches {
         let Some(change) = programme.mend(model, &configurations)? else { return Ok(None) };
         let mended = remedy.applied(model, &change)?;
         let (at, reached) = judge.worst(&mended, round as u32)?;

@@ -184,7 +184,9 @@ impl<'a> Programme<'a> {
             let z = solution.var_value(variables[k]);
             if self.remedy.is_free(k) { z * scale[k] } else { z.max(0.0) * scale[k] }
         };
-        Some((0..scale.len()).map(value).collect())
+        // Changes without bound are none.
+        let change: Vec<f64> = (0..scale.len()).map(value).collect();
+        change.iter().all(|z| z.is_finite()).then_some(change)
     }
 }
 

@@ -77,9 +77,14 @@ impl Remedy {
         }
     }
 
+    /// Whether only one link changes.
+    pub fn is_of_one_link(&self) -> bool {
+        matches!(self, Self::Matter { .. })
+    }
+
     /// Whether an unknown may be below zero.
     pub fn is_free(&self, k: usize) -> bool {
-        matches!(self, Self::Matter { .. }) && k >= 4
+        self.is_of_one_link() && k >= 4
     }
 
     /// Rows that hold from the start: Σ_aa + Σ_bb ± 2Σ_ab ≥ 0.
