@@ -190,7 +190,7 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub gains: GainArgs,
 
-    /// Advise the least armature with which κ is at most this in every configuration.
+    /// Advise the least armature with which κ is at most this in every configuration, and what else would do.
     #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "want_lambda_min")]
     pub want_kappa: Option<f64>,
 
@@ -198,9 +198,18 @@ pub struct CheckArgs {
     #[arg(long, value_name = "L", allow_negative_numbers = true)]
     pub want_lambda_min: Option<f64>,
 
-    /// Write a copy of the model with that armature, as MJCF.
-    #[arg(long, value_name = "FILE.xml")]
+    /// Advise the least armature with which this step (s) is stable in every configuration, by the integrator in use.
+    #[arg(long, value_name = "S", allow_negative_numbers = true, conflicts_with_all = ["want_kappa", "want_lambda_min"])]
+    pub want_step: Option<f64>,
+
+    /// Write a copy of the model with what is advised: .xml as MJCF; .urdf as URDF, armature as rotors of transmissions
+    /// (`--rotors on` reads them).
+    #[arg(long, value_name = "FILE")]
     pub write_patch: Option<PathBuf>,
+
+    /// What the copy has: armature, one link's inertia, or a limit.
+    #[arg(long, value_enum, default_value_t = RemedyArg::Armature, requires = "write_patch")]
+    pub remedy: RemedyArg,
 
     /// Thresholds and the like, as a TOML file; without it, the eigenbody.toml nearest above the model.
     #[arg(long, value_name = "FILE")]
@@ -262,6 +271,17 @@ pub struct GainArgs {
     /// How a step is made; an MJCF file has its own, else semi-implicit.
     #[arg(long, value_enum)]
     pub integrator: Option<IntegratorArg>,
+}
+
+/// `--remedy`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RemedyArg {
+    /// The least armature.
+    Armature,
+    /// More inertia for the link that needs the smallest change.
+    Link,
+    /// The limit that costs the least.
+    Limit,
 }
 
 /// `--integrator`.

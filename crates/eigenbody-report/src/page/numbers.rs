@@ -127,9 +127,15 @@ pub(super) fn stepping(found: Option<&SteppingReport>) -> Html {
     whole
 }
 
-/// What to add.
+/// What to change: armature, one link, a limit.
 pub(super) fn advice(advice: &AdviceReport) -> Html {
-    let goal = if advice.measure == "kappa" { "κ at most" } else { "λmin at least" };
+    let wanted = significant(advice.wanted, 4);
+    let goal = match advice.measure {
+        "kappa" => format!("κ of at most {wanted}"),
+        "lambda_min" => format!("λmin of at least {wanted} kg m²"),
+        _ => format!("a stable step of {wanted} s"),
+    };
+    let mut whole = Html::words("h3", format!("What gives {goal} in every configuration"));
     let rows = advice.added.iter().filter(|added| added.added > 0.0).map(|added| {
         vec![
             Html::text(&added.joint),
@@ -138,13 +144,47 @@ pub(super) fn advice(advice: &AdviceReport) -> Html {
             data("", Some(100.0 * added.inflation), ""),
         ]
     });
-    let caption =
-        format!("The least armature for {goal} {} in every configuration", significant(advice.wanted, 4));
-    Html::words("h3", "Armature").then(table(
-        &caption,
-        &["joint", "has (kg m², kg)", "add", "% of its own inertia"],
-        rows,
-    ))
+    let rows: Vec<Vec<Html>> = rows.collect();
+    if rows.is_empty() {
+        whole.push(Html::words(
+            "p",
+            if advice.reached.is_some() { "No armature is needed." } else { "No armature does." },
+        ));
+    } else {
+        let headings = ["joint", "has (kg m², kg)", "add", "% of its own inertia"];
+        whole.push(table("The least armature", &headings, rows));
+    }
+    if !advice.links.is_empty() {
+        let rows = advice.links.iter().map(|link| {
+            let [xx, yy, zz, ..] = link.added_inertia;
+            let diagonal = [xx, yy, zz].map(|x| significant(x, 3).replace('-', "−")).join(", ");
+            vec![
+                Html::text(&link.link),
+                data("", Some(link.mass), ""),
+                data("", Some(link.added_mass), ""),
+                Html::text(diagonal),
+                data("", Some(link.reached), ""),
+            ]
+        });
+        let headings = ["link", "mass (kg)", "add (kg)", "add xx, yy, zz (kg m²)", "reaches"];
+        whole.push(table("Or more inertia for one link", &headings, rows));
+    }
+    if !advice.limits.is_empty() {
+        let rows = advice.limits.iter().map(|limit| {
+            let range =
+                |[low, high]: [f64; 2]| Html::text(format!("{low:.4} to {high:.4}").replace('-', "−"));
+            vec![
+                Html::text(&limit.joint),
+                range(limit.range),
+                range(limit.kept),
+                data("", Some(100.0 * limit.lost), ""),
+                data("", Some(limit.reached), ""),
+            ]
+        });
+        let headings = ["joint", "range (rad, m)", "keep", "% lost", "reaches"];
+        whole.push(table("Or a limit on one joint", &headings, rows));
+    }
+    whole
 }
 
 /// Joints of a mode with bars.
