@@ -9,6 +9,7 @@
 
 mod args;
 mod commands;
+mod fail_on;
 mod failure;
 mod output;
 mod settings;

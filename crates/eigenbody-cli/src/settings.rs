@@ -7,7 +7,8 @@
 //! ```
 //! The keys are the options of `check`, and an option wins over its key.
 
-use crate::args::{FailOn, GainArgs, IntegratorArg};
+use crate::args::{GainArgs, IntegratorArg};
+use crate::fail_on::FailOn;
 use crate::failure::Failure;
 use eigenbody_formats::{Kind, Loaded};
 use serde::Deserialize;

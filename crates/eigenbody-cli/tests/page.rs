@@ -113,7 +113,7 @@ fn the_page_stands_alone_and_can_be_read() {
         let id = target.strip_prefix('#').unwrap();
         assert!(page.descendants().any(|node| node.attribute("id") == Some(id)), "{target}");
     }
-    for node in page.descendants().filter(|node| node.is_element()) {
+    for node in page.descendants().filter(Node::is_element) {
         assert!(TAGS.split_whitespace().any(|tag| node.has_tag_name(tag)), "{node:?}");
         for attribute in node.attributes() {
             let (name, value) = (attribute.name(), attribute.value());

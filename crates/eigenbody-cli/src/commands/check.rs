@@ -3,7 +3,8 @@
 use super::advise::advise;
 use super::drive::drive;
 use super::positive;
-use crate::args::{CheckArgs, CheckCommand, CheckFormat, FailOn, ReportArgs};
+use crate::args::{CheckArgs, CheckCommand, CheckFormat, ReportArgs};
+use crate::fail_on::FailOn;
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::settings::Settings;
@@ -42,7 +43,8 @@ pub fn run(args: &CheckCommand) -> Result<bool, Failure> {
         CheckFormat::Human => {
             let page = diagnosis_text(&report.model, found, &report.model_findings);
             let advice: String = advice.iter().map(|(goal, found)| advice_text(*goal, found)).collect();
-            page + &advice + &report.comparison.as_ref().map_or_else(String::new, |c| c.to_text())
+            page + &advice
+                + &report.comparison.as_ref().map_or_else(String::new, eigenbody_report::Comparison::to_text)
         }
         CheckFormat::Json => json(report.to_json())?,
         CheckFormat::Sarif => json(report.to_sarif())?,

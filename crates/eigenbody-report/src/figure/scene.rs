@@ -184,10 +184,8 @@ impl Scene {
         }
     }
 
-    /// The drawing as a part of an HTML page: without a background, colours by the page's custom properties (see [`themed`]), `about` for
-    /// readers that do not see.
-    ///
-    /// [`themed`]: super::style::themed
+    /// The drawing as a part of an HTML page: without a background, colours by the page's custom properties (`--ink`, `--blue`, ..), `about`
+    /// for readers that do not see.
     pub fn inline(&self, title: &str, about: &str) -> String {
         let Self { width, height, body } = self;
         let quoted = |text: &str| escape(text).replace('"', "&quot;");

@@ -64,6 +64,18 @@ pub(super) fn summary(page: &Page) -> Html {
             .then(Html::text(" digits lost."));
         whole.push(Html::element("p", &[], predicted));
     }
+    if !report.sensitivities.is_empty() {
+        let rows = report.sensitivities.iter().map(|one| {
+            vec![
+                Html::text(format!("{} of {}", one.parameter, one.of)),
+                data("", Some(one.value), ""),
+                data("", Some(one.against), ""),
+                data("", Some(one.rate), ""),
+            ]
+        });
+        let headings = ["parameter", "is", "a change of", "changes log κ by"];
+        whole.push(table("What moves κ most where it is worst", &headings, rows));
+    }
     for (k, motion) in report.null_motions.iter().enumerate() {
         let rows = motion.iter().map(|rate| vec![Html::text(&rate.joint), data("", Some(rate.rate), "")]);
         whole.push(table(&format!("Motion {} that moves no mass", k + 1), &["joint", "rate"], rows));
