@@ -3,9 +3,11 @@
 mod bench;
 mod conformance;
 mod layers;
+mod newton;
 mod oracle;
 mod program;
 mod python;
+mod stability;
 mod steps;
 mod suite;
 mod survey;
@@ -21,7 +23,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 9] = [
+const TASKS: [Task; 11] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -41,6 +43,12 @@ const TASKS: [Task; 9] = [
         about: "docs/survey.md: `eigenbody check` on published robots",
         run: survey::survey,
     },
+    Task {
+        name: "stability",
+        about: "stable steps of `eigenbody check` against MuJoCo and Pinocchio",
+        run: stability::stability,
+    },
+    Task { name: "newton", about: "docs/guide/src/newton.md: a case study", run: newton::newton },
     Task {
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",

@@ -5,11 +5,16 @@ use crate::{Outcome, oracle};
 
 /// Builds the command in release and hands it to `oracle/survey.py`.
 pub fn survey() -> Outcome {
+    with_command("oracle/survey.py", Some("docs/survey.md"))
+}
+
+/// Builds the command in release and hands it to a script, with the page that the script writes.
+pub fn with_command(script: &str, page: Option<&str>) -> Outcome {
     if !oracle::python().exists() {
         return Err("the oracle is not installed: run `cargo xtask oracle` first".into());
     }
     run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
     let command = build_directory()?.join("release/eigenbody");
-    let page = root().join("docs/survey.md");
-    run(program(oracle::python()).arg(root().join("oracle/survey.py")).arg(command).arg(page))
+    let pages = page.map(|page| root().join(page));
+    run(program(oracle::python()).arg(root().join(script)).arg(command).args(pages))
 }

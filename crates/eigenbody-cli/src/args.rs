@@ -1,13 +1,12 @@
 //! The command line: a contract. Add, do not rename.
 
+use crate::fail_on::FailOn;
 use clap::{Parser, Subcommand, ValueEnum};
 use eigenbody::Method;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::Precision;
-use eigenbody_report::rules;
-use eigenbody_study::diagnosis::Severity;
+use serde::Deserialize;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// How well-conditioned is a robot?
 ///
@@ -196,7 +195,7 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub gains: GainArgs,
 
-    /// Advise the least armature with which κ is at most this in every configuration.
+    /// Advise the least armature with which κ is at most this in every configuration, and what else would do.
     #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "want_lambda_min")]
     pub want_kappa: Option<f64>,
 
@@ -204,9 +203,18 @@ pub struct CheckArgs {
     #[arg(long, value_name = "L", allow_negative_numbers = true)]
     pub want_lambda_min: Option<f64>,
 
-    /// Write a copy of the model with that armature, as MJCF.
-    #[arg(long, value_name = "FILE.xml")]
+    /// Advise the least armature with which this step (s) is stable in every configuration, by the integrator in use.
+    #[arg(long, value_name = "S", allow_negative_numbers = true, conflicts_with_all = ["want_kappa", "want_lambda_min"])]
+    pub want_step: Option<f64>,
+
+    /// Write a copy of the model with what is advised: .xml as MJCF; .urdf as URDF, armature as rotors of transmissions
+    /// (`--rotors on` reads them).
+    #[arg(long, value_name = "FILE")]
     pub write_patch: Option<PathBuf>,
+
+    /// What the copy has: armature, one link's inertia, or a limit.
+    #[arg(long, value_enum, default_value_t = RemedyArg::Armature, requires = "write_patch")]
+    pub remedy: RemedyArg,
 
     /// Thresholds and the like, as a TOML file; without it, the eigenbody.toml nearest above the model.
     #[arg(long, value_name = "FILE")]
@@ -251,7 +259,7 @@ pub struct ReportArgs {
 }
 
 /// How a robot is driven and stepped.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub struct GainArgs {
     /// Stiffness on joints in place of the gains of the file's actuators: a number for all, or 'elbow=100,wrist=5' (N m/rad, N/m).
     #[arg(long, value_name = "GAINS", allow_hyphen_values = true)]
@@ -270,8 +278,20 @@ pub struct GainArgs {
     pub integrator: Option<IntegratorArg>,
 }
 
-/// `--integrator`.
+/// `--remedy`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RemedyArg {
+    /// The least armature.
+    Armature,
+    /// More inertia for the link that needs the smallest change.
+    Link,
+    /// The limit that costs the least.
+    Limit,
+}
+
+/// `--integrator`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum IntegratorArg {
     /// Semi-implicit Euler.
     SemiImplicit,
@@ -281,42 +301,6 @@ pub enum IntegratorArg {
     Implicit,
     /// Runge-Kutta of order four.
     Rk4,
-}
-
-/// `--fail-on`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FailOn {
-    /// Findings of this level or graver.
-    Level(Severity),
-    /// Findings with these names.
-    Codes(Vec<String>),
-    /// Nothing: always 0, but for status 2.
-    Never,
-}
-
-impl FromStr for FailOn {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Ok(match text {
-            "note" => Self::Level(Severity::Note),
-            "warning" => Self::Level(Severity::Warning),
-            "error" => Self::Level(Severity::Error),
-            "never" => Self::Never,
-            codes => {
-                let codes: Vec<String> = codes.split(',').map(|code| code.trim().to_owned()).collect();
-                let known = |code: &String| rules().any(|rule| rule.code == code);
-                if let Some(code) = codes.iter().find(|code| !known(code)) {
-                    let names: Vec<&str> = rules().map(|rule| rule.code).collect();
-                    return Err(format!(
-                        "no level or finding is called '{code}': expected note, warning, error, never, or some of {}",
-                        names.join(", ")
-                    ));
-                }
-                Self::Codes(codes)
-            }
-        })
-    }
 }
 
 /// `--format`.

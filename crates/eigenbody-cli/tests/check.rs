@@ -10,6 +10,10 @@ const NECK: &str = r#"<robot name="neck">
 <joint name="twist" type="continuous"><parent link="second"/><child link="head"/><axis xyz="0 0 1"/></joint>
 </robot>"#;
 
+/// A link with 0.5 kg.
+const SOLID: &str = r#"<link name="first"><inertial><mass value="0.5"/>
+<inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/></inertial></link>"#;
+
 #[test]
 fn a_clean_bill_of_health() {
     let page = stdout(&["check", "puma560", "--samples", "64"]);
@@ -68,11 +72,90 @@ fn advice_mends_what_it_says() {
     assert_eq!(mended["findings"].as_array().unwrap().len(), 0, "{}", mended["findings"]);
 }
 
+/// A step that is too long, what makes it stable, and the copy of the model in which it is.
+#[test]
+fn a_step_is_judged_and_mended() {
+    let scratch = Scratch::new();
+    let path = scratch.file("neck.urdf", &NECK.replace("<link name=\"first\"/>", SOLID));
+    let own =
+        ["check", &path, "--samples", "128", "--kp", "yaw=40,twist=20", "--kd", "1", "--format", "json"];
+    let report = json(&[&own[..], &["--dt", "0.02", "--fail-on", "never"]].concat());
+    let limit = report["stepping"]["limits"][0]["largest"].as_f64().unwrap();
+    assert_eq!(report["stepping"]["limits"][0]["integrator"], "semi-implicit Euler");
+    assert!(limit < 0.02, "{limit}");
+    assert_eq!(report["findings"].as_array().unwrap().last().unwrap()["id"], "time-step");
+    let page = stdout(&[&own[..8], &["--dt", "1e-4"]].concat());
+    assert!(page.contains("largest stable step: semi-implicit Euler"), "{page}");
+    for (patch, rotors) in [("mended.xml", "off"), ("mended.urdf", "on")] {
+        let patch = scratch.path(patch);
+        let patch = patch.to_str().unwrap();
+        json(&[&own[..], &["--want-step", "0.02", "--write-patch", patch, "--fail-on", "never"]].concat());
+        let again =
+            ["check", patch, "--samples", "128", "--kp", "yaw=40,twist=20", "--kd", "1", "--rotors", rotors];
+        let mended = json(
+            &[&again[..], &["--dt", "0.02", "--integrator", "semi-implicit", "--format", "json"]].concat(),
+        );
+        let reached = mended["stepping"]["limits"][0]["largest"].as_f64().unwrap();
+        assert!(reached >= 0.02, "{patch}: {reached}");
+    }
+}
+
+/// What else would do: a limit on the joint between, a link's inertia; and a copy with each.
+#[test]
+fn other_remedies() {
+    let scratch = Scratch::new();
+    let light = SOLID.replace("0.5", "1e-6").replace("0.001", "1e-9");
+    let neck = NECK.replace("<link name=\"first\"/>", &light);
+    let limited = neck.replace(
+        "name=\"roll\" type=\"continuous\">",
+        "name=\"roll\" type=\"revolute\"><limit lower=\"-0.3\" upper=\"1.2\" effort=\"1\" velocity=\"1\"/>",
+    );
+    let path = scratch.file("neck.urdf", &limited);
+    for remedy in ["limit", "link", "armature"] {
+        let patch = scratch.path(&format!("{remedy}.urdf"));
+        let patch = patch.to_str().unwrap();
+        let call = [
+            "check",
+            &path,
+            "--samples",
+            "128",
+            "--want-kappa",
+            "3000",
+            "--fail-on",
+            "never",
+            "--format",
+            "json",
+        ];
+        let advice =
+            json(&[&call[..], &["--remedy", remedy, "--write-patch", patch]].concat())["advice"].clone();
+        assert_eq!(advice["limits"][0]["joint"], "roll", "{advice}");
+        let mended = json(&[
+            "check",
+            patch,
+            "--samples",
+            "128",
+            "--rotors",
+            "on",
+            "--fail-on",
+            "never",
+            "--format",
+            "json",
+        ]);
+        let kappa = mended["worst"][0]["worst"].as_f64().unwrap();
+        assert!(kappa <= 3000.0 * 1.001, "{remedy}: {kappa}");
+    }
+}
+
 #[test]
 fn bad_input() {
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0"]), @"error: --want-kappa 0: expected a positive number");
-    insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0.5"]), @"error: puma560: no armature was found that does what is wanted");
-    insta::assert_snapshot!(failure(&["check", "puma560", "--write-patch", "x.xml"]), @"error: --write-patch: say what is wanted, --want-kappa or --want-lambda-min");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0.5"]), @"error: puma560: nothing was found that does what is wanted");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--write-patch", "x.xml"]), @"error: --write-patch: say what is wanted, --want-kappa, --want-lambda-min or --want-step");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--dt", "0"]), @"error: --dt 0: expected a positive number");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--kp", "wing=3"]), @"error: wing=3, column 1: no moving joint is named 'wing'");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--kd", "-3"]), @"error: -3, column 1: gain -3, expected none below zero");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--want-step", "0.01"]), @"error: --want-step: the file has no stiffness, damping or gains; give --kp and --kd");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--want-step", "0.01", "--kp", "1", "--integrator", "rk4"]), @"error: --want-step is for methods of Euler's kind; choose one with --integrator");
     insta::assert_snapshot!(failure(&["check", "puma560", "--max-kappa", "-1"]), @"error: --max-kappa -1: expected a positive number");
     insta::assert_snapshot!(failure(&["check", "no/such/robot.urdf"]), @"error: no/such/robot.urdf: no such file");
     insta::assert_snapshot!(failure(&["check", "puma560", "--metric", "diagonal=[1]"]), @"error: puma560: B has 1 numbers, expected 6");

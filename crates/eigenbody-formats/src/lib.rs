@@ -56,7 +56,7 @@ pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use source::{LoadOptions, load};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
 pub use velocity::velocity;
-pub use write::{WriteError, write_mjcf, write_urdf};
+pub use write::{WriteError, write_mjcf, write_urdf, write_urdf_with_rotors};
 #[cfg(feature = "xacro")]
 pub use xacro::read_xacro;
 pub use xml::XmlFault;

@@ -18,6 +18,7 @@ pub const OF_ROBOTS: &[Rule] = &[
     rule("moves-no-mass", "Some joint rates move no mass in any configuration: H is singular."),
     rule("solves", "Solves with H in double precision lose digits: κ' is large somewhere."),
     rule("single-precision", "Single precision keeps too few digits of an acceleration somewhere."),
+    rule("time-step", "The step is longer than the largest stable one."),
     rule("gains", "κ is large somewhere: gains and explicit steps cannot suit all motions."),
 ];
 
@@ -38,6 +39,8 @@ pub const OF_MODELS: &[Rule] = &[
     rule("loop", "A loop is cut."),
     rule("equality-ignored", "An equality is left out."),
     rule("armature-ignored", "An armature that couples joints is left out."),
+    rule("spring-ignored", "A spring, damper or feedback is left out."),
+    rule("spring-ignored", "A spring, damper or feedback is left out."),
     rule("outside-world", "A body stands outside the world."),
 ];
 

@@ -12,4 +12,6 @@ mod diagnosis;
 mod estimators;
 mod experiment;
 mod fit;
+mod sensitivity;
 mod simulate;
+mod stepping;

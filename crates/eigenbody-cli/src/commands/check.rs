@@ -1,23 +1,23 @@
 //! `eigenbody check` and `eigenbody report`.
 
+use super::advise::advise;
 use super::drive::drive;
 use super::positive;
-use crate::args::{CheckArgs, CheckCommand, CheckFormat, FailOn, ReportArgs};
+use crate::args::{CheckArgs, CheckCommand, CheckFormat, ReportArgs};
+use crate::fail_on::FailOn;
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::settings::Settings;
 use crate::system::robot;
 use eigenbody::search::{Effort, Measure};
-use eigenbody::{Metric, Model, Reduction};
-use eigenbody_formats::{Kind, Loaded, write_mjcf};
+use eigenbody::{Metric, Model};
+use eigenbody_formats::{Kind, Loaded};
 use eigenbody_report::{
     Baseline, DiagnosisReport, Page, PlaceReport, RemarkReport, State, WorstPicture, advice_text,
     diagnosis_text, significant,
 };
 use eigenbody_study::StudyError;
-use eigenbody_study::diagnosis::{
-    Advice, Diagnosis, Goal, Limits, Question, Severity, diagnose, least_armature,
-};
+use eigenbody_study::diagnosis::{Diagnosis, Goal, Limits, Question, Remedies, Severity, diagnose};
 use eigenbody_study::portrait::portrait;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
@@ -28,7 +28,7 @@ struct Examined {
     question: Question,
     settings: Settings,
     found: Diagnosis,
-    advice: Option<Advice>,
+    advice: Option<(Goal, Remedies)>,
     report: DiagnosisReport,
 }
 
@@ -42,8 +42,9 @@ pub fn run(args: &CheckCommand) -> Result<bool, Failure> {
     let text = match args.format {
         CheckFormat::Human => {
             let page = diagnosis_text(&report.model, found, &report.model_findings);
-            let advice: String = advice.iter().map(advice_text).collect();
-            page + &advice + &report.comparison.as_ref().map_or_else(String::new, |c| c.to_text())
+            let advice: String = advice.iter().map(|(goal, found)| advice_text(*goal, found)).collect();
+            page + &advice
+                + &report.comparison.as_ref().map_or_else(String::new, eigenbody_report::Comparison::to_text)
         }
         CheckFormat::Json => json(report.to_json())?,
         CheckFormat::Sarif => json(report.to_sarif())?,
@@ -95,14 +96,14 @@ fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
         seed: args.seed.or(settings.seed).unwrap_or(default.seed),
         ..default
     };
-    let drive = drive(&args.gains, &loaded)?;
+    let drive = drive(&settings.drive(&args.gains), &loaded)?;
     let question = Question { reduction, metric, effort, limits: limits(args, &settings)?, drive };
     let bar = progress();
     let found = diagnose(&loaded.model, &question, |evaluated| bar.inc(evaluated as u64));
     bar.finish_and_clear();
     let name = &args.model.model;
     let found = found.map_err(|error| failed(name, error))?;
-    let advice = advise(args, &loaded.model, reduction, effort)?;
+    let advice = advise(args, &loaded, reduction, effort, &question.drive)?;
     let report = report(name, &loaded, &found).with_advice(advice.as_ref());
     let report = match &baseline {
         Some((file, baseline)) => report.against(file, baseline),
@@ -233,38 +234,6 @@ fn method(question: &Question, settings: &Settings, found: &Diagnosis) -> Vec<(S
         ("settings", settings),
     ];
     rows.map(|(what, how)| (what.to_owned(), how)).into()
-}
-
-/// The least armature for what is wanted, and a model with it where one is asked for.
-fn advise(
-    args: &CheckArgs,
-    model: &Model<f64>,
-    reduction: Reduction,
-    effort: Effort,
-) -> Result<Option<Advice>, Failure> {
-    let goal = match (args.want_kappa, args.want_lambda_min) {
-        (None, None) if args.write_patch.is_some() => {
-            return Err(Failure::Usage(
-                "--write-patch: say what is wanted, --want-kappa or --want-lambda-min".into(),
-            ));
-        }
-        (None, None) => return Ok(None),
-        (Some(kappa), _) => Goal::Kappa(positive("--want-kappa", kappa)?),
-        (None, Some(least)) => Goal::LambdaMin(positive("--want-lambda-min", least)?),
-    };
-    let name = &args.model.model;
-    let failed = |error: StudyError| Failure::Usage(format!("{name}: {error}"));
-    let Some(advice) = least_armature(model, reduction, goal, effort).map_err(failed)? else {
-        return Err(Failure::Usage(format!("{name}: no armature was found that does what is wanted")));
-    };
-    if let Some(path) = &args.write_patch {
-        let mended = model.clone().with_armature(advice.armature.clone());
-        let mended =
-            mended.map_err(|source| Failure::Numbers { model: name.clone(), source: source.into() })?;
-        let text = write_mjcf(&mended).map_err(|source| Failure::Write { model: name.clone(), source })?;
-        deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
-    }
-    Ok(Some(advice))
 }
 
 /// What the options say, else the file, else the defaults.

@@ -1,5 +1,6 @@
 //! One file a command.
 
+mod advise;
 pub mod check;
 pub mod convert;
 mod drive;

@@ -6,7 +6,7 @@ mod mjcf;
 mod urdf;
 
 pub use mjcf::write_mjcf;
-pub use urdf::write_urdf;
+pub use urdf::{write_urdf, write_urdf_with_rotors};
 
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Vec3};
 use eigenbody::spectrum::eigenvalues;
@@ -26,6 +26,8 @@ pub enum WriteError {
     Inertia { link: String, least: f64, format: &'static str },
     #[error("joint '{joint}' has armature, for which URDF has no place; write MJCF (.xml) instead")]
     Armature { joint: String },
+    #[error("joint '{joint}' has several degrees of freedom and armature; a rotor in URDF drives one")]
+    Rotor { joint: String },
 }
 
 /// A mass with its centre and the inertia about it.

@@ -11,7 +11,44 @@ use std::fmt::Write;
 /// A floating base is left to whoever reads the file. Universal joints become two revolute ones, cylindrical joints a revolute
 /// and a prismatic one. Errors: [`WriteError`] for armature, and for spherical and helical joints.
 pub fn write_urdf(model: &Model<f64>) -> Result<String, WriteError> {
-    let mut out = format!("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", escaped(model.name()));
+    let armed = model.joints().iter().find(|joint| joint.dofs().any(|d| model.armature()[d] != 0.0));
+    match armed {
+        Some(joint) => Err(WriteError::Armature { joint: joint.name().to_owned() }),
+        None => write(model, ""),
+    }
+}
+
+/// The same with armature as the rotors of transmissions, in the words that Drake reads too.
+///
+/// ```text
+/// n² I_rotor = armature,  n = 1
+/// ```
+/// Whoever does not read rotors reads another H: reloading with [`Loaded::with_rotors`](crate::Loaded::with_rotors) gives the same.
+/// Errors: [`WriteError`] as [`write_urdf`], and for armature on a joint of several degrees of freedom.
+pub fn write_urdf_with_rotors(model: &Model<f64>) -> Result<String, WriteError> {
+    let mut rotors = String::new();
+    for joint in model.joints() {
+        let armature: Vec<f64> = joint.dofs().map(|d| model.armature()[d]).collect();
+        match armature.as_slice() {
+            all if all.iter().all(|&a| a == 0.0) => {}
+            [a] => {
+                let name = escaped(joint.name());
+                let _ = writeln!(
+                    rotors,
+                    "  <transmission name=\"{name} transmission\">\n    <type>transmission_interface/SimpleTransmission</type>\n    \
+                     <joint name=\"{name}\"/>\n    <actuator name=\"{name} motor\"><drake:rotor_inertia value=\"{a:?}\"/>\
+                     <drake:gear_ratio value=\"1\"/></actuator>\n  </transmission>"
+                );
+            }
+            _ => return Err(WriteError::Rotor { joint: joint.name().to_owned() }),
+        }
+    }
+    write(model, &rotors)
+}
+
+fn write(model: &Model<f64>, rotors: &str) -> Result<String, WriteError> {
+    let drake = if rotors.is_empty() { "" } else { " xmlns:drake=\"http://drake.mit.edu\"" };
+    let mut out = format!("<?xml version=\"1.0\"?>\n<robot name=\"{}\"{drake}>\n", escaped(model.name()));
     if !model.has_floating_base() {
         let _ = writeln!(out, "  <link name=\"{}\"/>", escaped(&root(model)));
     }
@@ -29,6 +66,7 @@ pub fn write_urdf(model: &Model<f64>) -> Result<String, WriteError> {
     for b in order {
         joint(&mut out, model, b)?;
     }
+    out.push_str(rotors);
     out.push_str("</robot>\n");
     Ok(out)
 }
@@ -72,9 +110,6 @@ fn joint(out: &mut String, model: &Model<f64>, b: usize) -> Result<(), WriteErro
         return Ok(());
     };
     let name = info.name();
-    if body.dofs().any(|d| model.armature()[d] != 0.0) {
-        return Err(WriteError::Armature { joint: name.to_owned() });
-    }
     let parent = match body.parent() {
         Some(parent) => body_name(model, parent).to_owned(),
         None if model.has_floating_base() => return Ok(()),

@@ -13,7 +13,9 @@ pub use stepping::SteppingReport;
 pub use text::diagnosis_text;
 
 use eigenbody::search::Measure;
-use eigenbody_study::diagnosis::{Advice, Blame, Diagnosis, Finding, Mechanism, NullMotion, Worst};
+use eigenbody_study::diagnosis::{
+    Blame, Diagnosis, Finding, Goal, Mechanism, NullMotion, Remedies, Sensitivity, Worst,
+};
 use serde::Serialize;
 use words::{advice, message, severity};
 
@@ -34,6 +36,8 @@ pub struct DiagnosisReport {
     pub null_motions: Vec<Vec<RateReport>>,
     /// What precisions keep at the worst κ′.
     pub digits: Option<DigitsReport>,
+    /// What moves κ most where it is worst: d log κ.
+    pub sensitivities: Vec<SensitivityReport>,
     /// Stable steps and gains, with springs or a step.
     pub stepping: Option<SteppingReport>,
     /// What is wrong.
@@ -116,11 +120,35 @@ pub enum MechanismReport {
     Spread,
 }
 
+/// How much a parameter moves κ.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SensitivityReport {
+    /// `mass`, `com x`, `ixx`, `armature` and so on.
+    pub parameter: &'static str,
+    /// The link or joint.
+    pub of: String,
+    /// What it is (kg, m, kg m²).
+    pub value: f64,
+    /// What a change is measured against: the mass, the radius of gyration, the mean principal moment, H_dd.
+    pub against: f64,
+    /// d log κ for a change of that size.
+    pub rate: f64,
+}
+
+impl From<&Sensitivity> for SensitivityReport {
+    fn from(found: &Sensitivity) -> Self {
+        let Sensitivity { parameter, of, value, against, rate } = found.clone();
+        Self { parameter: parameter.name(), of, value, against, rate }
+    }
+}
+
 /// Digits kept.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DigitsReport {
     /// Predicted loss, log₁₀ (κ′/4).
     pub predicted_loss: f64,
+    /// Whether single precision keeps the digits that it must.
+    pub float32_safe: bool,
     /// Digits kept by the worst way of solving in single precision.
     pub left_in_f32: f64,
     /// And in double precision.
@@ -265,6 +293,7 @@ impl DiagnosisReport {
             null_motions: found.null_motions.iter().map(rates).collect(),
             digits: found.digits.as_ref().map(|digits| DigitsReport {
                 predicted_loss: digits.predicted_loss,
+                float32_safe: found.findings.iter().all(|finding| finding.id != "single-precision"),
                 left_in_f32: digits.left_in_f32(),
                 left_in_f64: digits.left_in_f64(),
                 lost: digits
@@ -277,6 +306,7 @@ impl DiagnosisReport {
                     })
                     .collect(),
             }),
+            sensitivities: found.sensitivities.iter().map(SensitivityReport::from).collect(),
             stepping: found.stepping.as_ref().map(SteppingReport::from),
             findings: found.findings.iter().map(|finding| report(finding, found)).collect(),
             model_findings,
@@ -287,8 +317,8 @@ impl DiagnosisReport {
     }
 
     /// The same with advice.
-    pub fn with_advice(self, advice: Option<&Advice>) -> Self {
-        Self { advice: advice.map(AdviceReport::from), ..self }
+    pub fn with_advice(self, advice: Option<&(Goal, Remedies)>) -> Self {
+        Self { advice: advice.map(|(goal, found)| AdviceReport::new(*goal, found)), ..self }
     }
 
     /// The same with the model's file, the places of joints in it, and what is suspicious about it.

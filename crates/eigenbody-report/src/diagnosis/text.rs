@@ -3,7 +3,7 @@
 use super::stepping::{shares, stepping_text};
 use super::words::{advice, message, number, severity};
 use eigenbody::search::Measure;
-use eigenbody_study::diagnosis::{Blame, Diagnosis, Finding, Mechanism, Use, Worst};
+use eigenbody_study::diagnosis::{Blame, Diagnosis, Finding, Mechanism, Parameter, Sensitivity, Use, Worst};
 use std::fmt::Write;
 
 /// Joints and links named of a mode.
@@ -85,7 +85,8 @@ fn line(worst: &Worst, unit: &str) -> String {
 
 fn details(finding: &Finding, found: &Diagnosis) -> String {
     let mut text = String::new();
-    let worst = found.worst.iter().find(|worst| worst.spread.at == finding.at && !finding.at.is_empty());
+    let here = |worst: &&Worst| worst.spread.at == finding.at && !finding.at.is_empty();
+    let worst = found.worst.iter().find(here).filter(|_| finding.endangers != Use::Stepping);
     if let Some(Blame { soft, mechanism }) = worst.and_then(|worst| worst.blame.as_ref()) {
         let parts: Vec<String> = soft
             .dofs
@@ -103,6 +104,18 @@ fn details(finding: &Finding, found: &Diagnosis) -> String {
             .map(|part| format!("{} {:.0}%", part.name, 100.0 * part.share))
             .collect();
         let _ = writeln!(text, "    its inertia: {}", carriers.join(", "));
+        if worst.is_some_and(|worst| worst.spread.measure == Measure::Kappa)
+            && !found.sensitivities.is_empty()
+        {
+            let of = |armature: bool, n: usize| {
+                let kind = move |one: &&Sensitivity| (one.parameter == Parameter::Armature) == armature;
+                found.sensitivities.iter().filter(kind).take(n)
+            };
+            let most = of(true, 1).chain(of(false, 2));
+            let most: Vec<String> =
+                most.map(|one| format!("{} of {}", one.parameter.name(), one.of)).collect();
+            let _ = writeln!(text, "    moves κ most: {}", most.join(", "));
+        }
         let how = match mechanism {
             Mechanism::LightTip { joint, .. } => format!("little inertia behind '{joint}' alone"),
             Mechanism::Opposition { joints: [near, far], angle, .. } if *angle < ALIGNED => {

@@ -5,6 +5,7 @@
 //! blame of their modes        ->  which joints and links, by which mechanism
 //! exact null motions          ->  what moves no mass anywhere
 //! digits, measured            ->  float32-safe or not
+//! gradients of the modes      ->  which mass, inertia or armature moves κ most
 //! springs, dampers, feedback  ->  the largest stable step, the largest gains
 //! limits                      ->  findings
 //! ```
@@ -14,14 +15,16 @@ mod blame;
 mod digits;
 mod finding;
 mod rest;
+mod sensitivity;
 mod stepping;
 
-pub use advise::{Added, Advice, Goal, least_armature};
+pub use advise::{Added, Advice, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies};
 pub(crate) use blame::softest;
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
 pub use finding::{Finding, Limits, Severity, Use};
 pub use rest::NullMotion;
+pub use sensitivity::{Parameter, Sensitivity};
 pub use stepping::{Drive, JointGains, ModeGains, Stepping, WorstStep};
 
 use crate::StudyError;
@@ -81,6 +84,8 @@ pub struct Diagnosis {
     pub null_motions: Vec<NullMotion>,
     /// What single precision and double precision keep of a solve at the worst κ′; none for a singular robot.
     pub digits: Option<Digits>,
+    /// What moves κ most where it is worst.
+    pub sensitivities: Vec<Sensitivity>,
     /// Stable steps and gains; none without springs and without a step, and for a robot with motions that move no mass.
     pub stepping: Option<Stepping>,
     /// What is wrong, the gravest first.
@@ -122,8 +127,17 @@ pub fn diagnose(
     let unit = metric.unit(rows.iter().map(|&d| model.is_translation(d)));
     if rows.is_empty() {
         let (worst, null_motions, findings) = (Vec::new(), Vec::new(), Vec::new());
-        let (digits, stepping) = (None, None);
-        return Ok(Diagnosis { dofs, unit, worst, evaluations: 0, null_motions, digits, stepping, findings });
+        return Ok(Diagnosis {
+            dofs,
+            unit,
+            worst,
+            evaluations: 0,
+            null_motions,
+            digits: None,
+            sensitivities: Vec::new(),
+            stepping: None,
+            findings,
+        });
     }
     let null_motions = rest::null_motions(model, *reduction)?;
     let Survey { spreads, evaluations } = survey(model, *reduction, metric, *effort, progress)?;
@@ -143,8 +157,21 @@ pub fn diagnose(
         true => stepping::stepping(model, *reduction, drive, *effort, &worst)?,
         false => None,
     };
-    let findings = Vec::new();
-    let mut found = Diagnosis { dofs, unit, worst, evaluations, null_motions, digits, stepping, findings };
+    let sensitivities = match worst.iter().find(|worst| worst.spread.measure == Measure::Kappa) {
+        Some(worst) => sensitivity::sensitivities(model, *reduction, metric, &evaluator, &worst.spread.at)?,
+        None => Vec::new(),
+    };
+    let mut found = Diagnosis {
+        dofs,
+        unit,
+        worst,
+        evaluations,
+        null_motions,
+        digits,
+        sensitivities,
+        stepping,
+        findings: Vec::new(),
+    };
     found.findings = finding::findings(&found, limits);
     Ok(found)
 }
