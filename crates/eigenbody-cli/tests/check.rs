@@ -77,7 +77,8 @@ fn advice_mends_what_it_says() {
 fn a_step_is_judged_and_mended() {
     let scratch = Scratch::new();
     let path = scratch.file("neck.urdf", &NECK.replace("<link name=\"first\"/>", SOLID));
-    let own = ["check", &path, "--samples", "128", "--kp", "yaw=40,twist=20", "--kd", "1", "--format", "json"];
+    let own =
+        ["check", &path, "--samples", "128", "--kp", "yaw=40,twist=20", "--kd", "1", "--format", "json"];
     let report = json(&[&own[..], &["--dt", "0.02", "--fail-on", "never"]].concat());
     let limit = report["stepping"]["limits"][0]["largest"].as_f64().unwrap();
     assert_eq!(report["stepping"]["limits"][0]["integrator"], "semi-implicit Euler");
@@ -89,8 +90,11 @@ fn a_step_is_judged_and_mended() {
         let patch = scratch.path(patch);
         let patch = patch.to_str().unwrap();
         json(&[&own[..], &["--want-step", "0.02", "--write-patch", patch, "--fail-on", "never"]].concat());
-        let again = ["check", patch, "--samples", "128", "--kp", "yaw=40,twist=20", "--kd", "1", "--rotors", rotors];
-        let mended = json(&[&again[..], &["--dt", "0.02", "--integrator", "semi-implicit", "--format", "json"]].concat());
+        let again =
+            ["check", patch, "--samples", "128", "--kp", "yaw=40,twist=20", "--kd", "1", "--rotors", rotors];
+        let mended = json(
+            &[&again[..], &["--dt", "0.02", "--integrator", "semi-implicit", "--format", "json"]].concat(),
+        );
         let reached = mended["stepping"]["limits"][0]["largest"].as_f64().unwrap();
         assert!(reached >= 0.02, "{patch}: {reached}");
     }
@@ -102,15 +106,41 @@ fn other_remedies() {
     let scratch = Scratch::new();
     let light = SOLID.replace("0.5", "1e-6").replace("0.001", "1e-9");
     let neck = NECK.replace("<link name=\"first\"/>", &light);
-    let limited = neck.replace("name=\"roll\" type=\"continuous\">", "name=\"roll\" type=\"revolute\"><limit lower=\"-0.3\" upper=\"1.2\" effort=\"1\" velocity=\"1\"/>");
+    let limited = neck.replace(
+        "name=\"roll\" type=\"continuous\">",
+        "name=\"roll\" type=\"revolute\"><limit lower=\"-0.3\" upper=\"1.2\" effort=\"1\" velocity=\"1\"/>",
+    );
     let path = scratch.file("neck.urdf", &limited);
     for remedy in ["limit", "link", "armature"] {
         let patch = scratch.path(&format!("{remedy}.urdf"));
         let patch = patch.to_str().unwrap();
-        let call = ["check", &path, "--samples", "128", "--want-kappa", "3000", "--fail-on", "never", "--format", "json"];
-        let advice = json(&[&call[..], &["--remedy", remedy, "--write-patch", patch]].concat())["advice"].clone();
+        let call = [
+            "check",
+            &path,
+            "--samples",
+            "128",
+            "--want-kappa",
+            "3000",
+            "--fail-on",
+            "never",
+            "--format",
+            "json",
+        ];
+        let advice =
+            json(&[&call[..], &["--remedy", remedy, "--write-patch", patch]].concat())["advice"].clone();
         assert_eq!(advice["limits"][0]["joint"], "roll", "{advice}");
-        let mended = json(&["check", patch, "--samples", "128", "--rotors", "on", "--fail-on", "never", "--format", "json"]);
+        let mended = json(&[
+            "check",
+            patch,
+            "--samples",
+            "128",
+            "--rotors",
+            "on",
+            "--fail-on",
+            "never",
+            "--format",
+            "json",
+        ]);
         let kappa = mended["worst"][0]["worst"].as_f64().unwrap();
         assert!(kappa <= 3000.0 * 1.001, "{remedy}: {kappa}");
     }
