@@ -41,10 +41,10 @@ class MjcfReference:
         mujoco.mj_fwdPosition(self.model, self.data)
         H = np.zeros((self.model.nv, self.model.nv))
         mujoco.mj_fullM(self.model, self.data, H)
-        T = self._velocities(q)
+        T = self.velocities(q)
         return T.T @ H @ T
 
-    def _velocities(self, q: list[float]) -> np.ndarray:
+    def velocities(self, q: list[float]) -> np.ndarray:
         """MuJoCo's qvel from eigenbody's v."""
         T = np.eye(self.model.nv)
         for k in np.flatnonzero(self.model.jnt_type == mujoco.mjtJoint.mjJNT_FREE):

@@ -9,12 +9,14 @@ pub fn check() -> Outcome {
         return Err("the oracle is not installed: run `cargo xtask oracle` first".into());
     }
     run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
-    run(&mut cargo(&["build", "--release", "--package", "eigenbody-formats", "--example", "matrices"]))?;
+    run(&mut cargo(&["build", "--release", "--package", "eigenbody-formats", "--examples"]))?;
     let release = build_directory()?.join("release");
     let compare = |script: &str, with: &str| {
         run(program(oracle::python()).arg(root().join("oracle").join(script)).arg(release.join(with)))
     };
     compare("conformance.py", "eigenbody")?;
     compare("hard.py", "eigenbody")?;
-    compare("robots.py", "examples/matrices")
+    compare("robots.py", "examples/matrices")?;
+    compare("loops.py", "eigenbody")?;
+    compare("broken.py", "examples/mutations")
 }

@@ -6,6 +6,7 @@ mod layers;
 mod newton;
 mod oracle;
 mod program;
+mod python;
 mod stability;
 mod steps;
 mod suite;
@@ -22,7 +23,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 9] = [
+const TASKS: [Task; 11] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -36,6 +37,7 @@ const TASKS: [Task; 9] = [
         about: "H and kappa of real robots against Pinocchio and MuJoCo",
         run: conformance::check,
     },
+    Task { name: "python", about: "the Python package: wheel, tests, types", run: python::test },
     Task {
         name: "survey",
         about: "docs/survey.md: `eigenbody check` on published robots",
@@ -51,6 +53,11 @@ const TASKS: [Task; 9] = [
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",
         run: bench::bench,
+    },
+    Task {
+        name: "bench-peers",
+        about: "the figures of docs/performance.md, beside Pinocchio, MuJoCo and dynibo",
+        run: bench::peers::bench,
     },
 ];
 

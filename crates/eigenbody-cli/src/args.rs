@@ -4,7 +4,10 @@ use clap::{Parser, Subcommand, ValueEnum};
 use eigenbody::Method;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::Precision;
+use eigenbody_report::rules;
+use eigenbody_study::diagnosis::Severity;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// How well-conditioned is a robot?
 ///
@@ -22,13 +25,22 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// What is wrong with a robot over all that its joints allow: the worst case, who is to blame, what to change.
-    Check(CheckArgs),
+    Check(CheckCommand),
+    /// The same as a page to keep: one HTML file with pictures, tables and how it was computed.
+    Report(ReportArgs),
     /// κ, κ', the bracket, λmin, λmax and the softest and stiffest mode in one configuration.
     Spectrum(SpectrumArgs),
     /// The mass matrix H itself.
     Matrix(MatrixArgs),
     /// Every figure and number of two papers on ill-conditioned mass matrices, printed against computed.
     Reproduce(ReproduceArgs),
+    /// A motion, with energy, κ and other quantities along it.
+    Simulate(Box<SimulateArgs>),
+    /// κ and other quantities along a recorded motion.
+    Track(TrackArgs),
+    /// Many robots in many configurations, from one core to a cluster, as one Parquet table.
+    #[cfg(feature = "parquet")]
+    Sweep(SweepArgs),
     /// The tree, the degrees of freedom in order, masses, findings.
     Info(InfoArgs),
     /// The model in another format, its fixed joints merged.
@@ -73,6 +85,20 @@ pub struct RobotArgs {
     /// zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
     #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
     pub at: String,
+
+    /// Loops of MJCF (connect, weld) and SDF files: cut open, H is that of the tree, or closed, H is Nᵀ H N among the motions that
+    /// they allow, at the closed configuration near CONFIG.
+    #[arg(long, value_enum, value_name = "open|closed", default_value_t = Loops::Open)]
+    pub loops: Loops,
+}
+
+/// `--loops`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Loops {
+    /// Cut.
+    Open,
+    /// Closed.
+    Closed,
 }
 
 /// `eigenbody spectrum`.
@@ -142,17 +168,17 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub model: ModelArgs,
 
-    /// What counts as a unit of motion for κ and λmin: euclidean, or length=L (L metres count as a radian).
-    #[arg(long, default_value = "euclidean")]
-    pub metric: String,
+    /// What counts as a unit of motion for κ and λmin: euclidean, or length=L (L metres count as a radian) [default: euclidean].
+    #[arg(long)]
+    pub metric: Option<String>,
 
-    /// Configurations sampled before the search for the worst, at most 65536.
-    #[arg(long, value_name = "N", default_value_t = 2048, value_parser = clap::value_parser!(u32).range(1..=65536))]
-    pub samples: u32,
+    /// Configurations sampled before the search for the worst, at most 65536 [default: 2048].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: Option<u32>,
 
-    /// Another seed, other samples.
-    #[arg(long, default_value_t = 1)]
-    pub seed: u32,
+    /// Another seed, other samples [default: 1].
+    #[arg(long)]
+    pub seed: Option<u32>,
 
     /// A finding if κ' exceeds this anywhere: what solves in double precision feel.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
@@ -191,17 +217,46 @@ pub struct CheckArgs {
     #[arg(long, value_enum, default_value_t = RemedyArg::Armature, requires = "write_patch")]
     pub remedy: RemedyArg,
 
-    /// The least severe finding for exit status 1.
-    #[arg(long, value_enum, default_value_t = FailOn::Warning)]
-    pub fail_on: FailOn,
+    /// Thresholds and the like, as a TOML file; without it, the eigenbody.toml nearest above the model.
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
 
-    /// A page for people, or JSON.
+    /// An earlier `--format json`: says what is new, what got worse and what is gone.
+    #[arg(long, value_name = "FILE")]
+    pub baseline: Option<PathBuf>,
+}
+
+/// `eigenbody check`: what to examine, and what to make of it.
+#[derive(Debug, clap::Args)]
+pub struct CheckCommand {
+    /// What to examine.
+    #[command(flatten)]
+    pub check: CheckArgs,
+
+    /// Exit status 1 for: findings of this level or graver (note, warning, error), for none (never), or for some by name
+    /// (solves,loop). With --baseline only new and worse ones count [default: warning].
+    #[arg(long, value_name = "LEVEL|CODE,..")]
+    pub fail_on: Option<FailOn>,
+
+    /// A page for the terminal, JSON, SARIF for code hosts, or an HTML page.
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
     pub format: CheckFormat,
 
     /// Write to a file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// `eigenbody report`.
+#[derive(Debug, clap::Args)]
+pub struct ReportArgs {
+    /// What to examine.
+    #[command(flatten)]
+    pub check: CheckArgs,
+
+    /// The file to write.
+    #[arg(short, long, value_name = "FILE", default_value = "report.html")]
+    pub output: PathBuf,
 }
 
 /// How a robot is driven and stepped.
@@ -249,14 +304,39 @@ pub enum IntegratorArg {
 }
 
 /// `--fail-on`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FailOn {
-    /// Any warning or error.
-    Warning,
-    /// Errors only.
-    Error,
+    /// Findings of this level or graver.
+    Level(Severity),
+    /// Findings with these names.
+    Codes(Vec<String>),
     /// Nothing: always 0, but for status 2.
     Never,
+}
+
+impl FromStr for FailOn {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(match text {
+            "note" => Self::Level(Severity::Note),
+            "warning" => Self::Level(Severity::Warning),
+            "error" => Self::Level(Severity::Error),
+            "never" => Self::Never,
+            codes => {
+                let codes: Vec<String> = codes.split(',').map(|code| code.trim().to_owned()).collect();
+                let known = |code: &String| rules().any(|rule| rule.code == code);
+                if let Some(code) = codes.iter().find(|code| !known(code)) {
+                    let names: Vec<&str> = rules().map(|rule| rule.code).collect();
+                    return Err(format!(
+                        "no level or finding is called '{code}': expected note, warning, error, never, or some of {}",
+                        names.join(", ")
+                    ));
+                }
+                Self::Codes(codes)
+            }
+        })
+    }
 }
 
 /// `--format`.
@@ -266,6 +346,10 @@ pub enum CheckFormat {
     Human,
     /// JSON, floats that parse back to the same bits.
     Json,
+    /// SARIF 2.1.0.
+    Sarif,
+    /// One HTML file.
+    Html,
 }
 
 /// `eigenbody reproduce`.
@@ -290,6 +374,211 @@ pub struct ReproduceArgs {
     /// Write into a folder that is not empty.
     #[arg(long)]
     pub force: bool,
+}
+
+/// `eigenbody simulate`.
+#[derive(Debug, clap::Args)]
+pub struct SimulateArgs {
+    /// The robot.
+    #[command(flatten)]
+    pub model: ModelArgs,
+
+    /// Where it starts: zero, 'zag(pi/2)', 'curl(0.1)', 'q=[..]', 'joint=value,..', 'random(seed)' or a keyframe's name.
+    #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
+    pub initial: String,
+
+    /// How fast it starts: zero, 'random(seed)', 'v=[..]' or 'joint=value,..'.
+    #[arg(long, value_name = "VELOCITY", default_value = "zero", allow_hyphen_values = true)]
+    pub velocity: String,
+
+    /// How long it moves, in seconds.
+    #[arg(long, value_name = "S", default_value_t = 10.0, allow_negative_numbers = true)]
+    pub time: f64,
+
+    /// Rows a second.
+    #[arg(long, value_name = "HZ", default_value_t = 100.0, allow_negative_numbers = true)]
+    pub rate: f64,
+
+    /// How steps are taken.
+    #[arg(long, value_enum, default_value_t = MethodOfMotion::Dopri5)]
+    pub method: MethodOfMotion,
+
+    /// Length of a step in seconds, for all methods but dopri5.
+    #[arg(long, value_name = "S", default_value_t = 1e-3, allow_negative_numbers = true)]
+    pub step: f64,
+
+    /// Error of a step that dopri5 allows, in rad, m and units of max(1, |v|).
+    #[arg(long, value_name = "TOL", default_value_t = 1e-9, allow_negative_numbers = true)]
+    pub tolerance: f64,
+
+    /// How accelerations are found: articulated bodies (aba), or H and its factors (crba). Mimic joints need the matrix.
+    #[arg(long, value_enum, default_value_t = DynamicsArg::Aba)]
+    pub dynamics: DynamicsArg,
+
+    /// Gravity.
+    #[arg(long, value_enum, value_name = "on|off", default_value_t = Switch::On)]
+    pub gravity: Switch,
+
+    /// Springs and dampers that joints and tendons have in the file.
+    #[arg(long, value_enum, value_name = "on|off", default_value_t = Switch::On)]
+    pub springs: Switch,
+
+    /// More damping on joints: a number for all, or 'elbow=1,wrist=0.2' (N m s/rad, N s/m).
+    #[arg(long, value_name = "D")]
+    pub damping: Option<String>,
+
+    /// More stiffness on joints: a number for all, or 'elbow=10,wrist=2' (N m/rad, N/m).
+    #[arg(long, value_name = "K")]
+    pub stiffness: Option<String>,
+
+    /// Where all springs are slack.
+    #[arg(long, value_name = "CONFIG", default_value = "zero", allow_hyphen_values = true)]
+    pub rest: String,
+
+    /// A controller holds this posture.
+    #[arg(long, value_name = "CONFIG", conflicts_with = "follow", allow_hyphen_values = true)]
+    pub hold: Option<String>,
+
+    /// A controller follows a recorded motion: a table as for `track`.
+    #[arg(long, value_name = "FILE")]
+    pub follow: Option<PathBuf>,
+
+    /// The controller's frequency f: gains are (2πf)² and 2ζ 2πf times the diagonal of H at its first target.
+    #[arg(long, value_name = "HZ", default_value_t = 2.0, allow_negative_numbers = true)]
+    pub bandwidth: f64,
+
+    /// The controller's damping ratio ζ.
+    #[arg(long, value_name = "Z", default_value_t = 1.0, allow_negative_numbers = true)]
+    pub damping_ratio: f64,
+
+    /// External forces on joints over time: a table with columns t and tau0, tau1, .. or joints' names.
+    #[arg(long, value_name = "FILE")]
+    pub torque: Option<PathBuf>,
+
+    /// Report where a quantity crosses a level: 'kappa=1e5'; kappa, kappa_weighted, lambda_min, lambda_max. Joint limits are always
+    /// reported.
+    #[arg(long, value_name = "QUANTITY=X")]
+    pub event: Vec<String>,
+
+    /// Where the rows go.
+    #[command(flatten)]
+    pub rows: RowsArgs,
+}
+
+/// What is written of every row.
+#[derive(Debug, clap::Args)]
+pub struct RowsArgs {
+    /// Quantities, separated by commas; `help` lists them with what they cost and how exact they are.
+    #[arg(long, value_name = "LIST", default_value = "kappa,kappa_weighted", value_delimiter = ',')]
+    pub monitor: Vec<String>,
+
+    /// A .csv or .parquet file; standard output, as CSV, without one. Rows so far stand in FILE.partial, or FILE.partial.csv.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Draw the quantities over time: .svg or .png.
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+}
+
+/// `eigenbody track`.
+#[derive(Debug, clap::Args)]
+pub struct TrackArgs {
+    /// The robot.
+    #[command(flatten)]
+    pub model: ModelArgs,
+
+    /// A .csv or .parquet file with columns t and q0, q1, .. or joints' names; v0, v1, .. if there are velocities.
+    pub log: PathBuf,
+
+    /// Where joints stand that have no column; without it they are an error.
+    #[arg(long, value_name = "CONFIG", allow_hyphen_values = true)]
+    pub others: Option<String>,
+
+    /// Pass over rows with a wrong number of columns, without numbers or out of order, and say how many there were.
+    #[arg(long)]
+    pub skip_bad: bool,
+
+    /// Where the rows go.
+    #[command(flatten)]
+    pub rows: RowsArgs,
+}
+
+/// `simulate --method`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MethodOfMotion {
+    /// Semi-implicit Euler, order 1.
+    Euler,
+    /// Runge-Kutta, order 4.
+    Rk4,
+    /// Dormand-Prince 5(4), steps by its own error estimate.
+    Dopri5,
+    /// Implicit midpoint rule, order 2: keeps energy and momenta over long times.
+    Midpoint,
+}
+
+/// `simulate --dynamics`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum DynamicsArg {
+    /// Articulated bodies, O(N).
+    Aba,
+    /// Composite bodies and a branch-sparse factorisation.
+    Crba,
+}
+
+/// `eigenbody sweep`.
+#[cfg(feature = "parquet")]
+#[derive(Debug, clap::Args)]
+pub struct SweepArgs {
+    /// A TOML file: robots, configurations, quantities. Paths in it are seen from where the command runs.
+    #[arg(value_name = "SPEC.toml")]
+    pub spec: PathBuf,
+
+    /// Folder for chunks and the table; one of the same sweep is taken up where it was left.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Compute every n-th chunk from the i-th on, and do not merge: for job arrays.
+    #[arg(long, value_name = "i/n")]
+    pub shard: Option<Shard>,
+
+    /// Only merge what is there.
+    #[arg(long, conflicts_with = "shard")]
+    pub merge: bool,
+
+    /// Say how many cases, how long and how large, and compute nothing.
+    #[arg(long)]
+    pub dry_run: bool,
+}
+
+/// `--shard`.
+#[cfg(feature = "parquet")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+#[cfg(feature = "parquet")]
+impl Shard {
+    /// True if a chunk is this shard's.
+    pub fn has(self, chunk: u64) -> bool {
+        chunk % self.count == self.index - 1
+    }
+}
+
+#[cfg(feature = "parquet")]
+impl std::str::FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts =
+            text.split_once('/').and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
+        match parts {
+            Some((index, count)) if (1..=count).contains(&index) => Ok(Self { index, count }),
+            _ => Err("expected i/n with 1 ≤ i ≤ n".into()),
+        }
+    }
 }
 
 /// `eigenbody info`.

@@ -44,6 +44,27 @@ pub enum Failure {
         /// Why not.
         source: io::Error,
     },
+    /// Rows could not be written any more; those before stand.
+    #[error("{}: {source}{}", path.display(), kept(partial))]
+    Rows {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        source: io::Error,
+        /// Where rows stand, and how many.
+        partial: Option<(PathBuf, u64)>,
+    },
+    /// A log cannot be followed.
+    #[error(transparent)]
+    Log(#[from] eigenbody_formats::MotionError),
+    /// A motion did not begin.
+    #[error("{model}: {source}")]
+    Simulation {
+        /// The model as it was asked for.
+        model: String,
+        /// Why not.
+        source: eigenbody_study::simulate::SimulationError,
+    },
     /// A folder cannot take the output.
     #[error("{}: {what}", path.display())]
     Folder {
@@ -63,6 +84,19 @@ pub enum Failure {
     /// The serialiser failed.
     #[error("JSON: {0}")]
     Json(String),
+}
+
+fn kept(partial: &Option<(PathBuf, u64)>) -> String {
+    match partial {
+        Some((path, rows)) => {
+            format!(
+                "; the {} so far: {}",
+                eigenbody_report::count(*rows as usize, "row", "rows"),
+                path.display()
+            )
+        }
+        None => String::new(),
+    }
 }
 
 impl Failure {

@@ -35,7 +35,7 @@ pub fn folder(path: &Path, force: bool) -> Result<(), Failure> {
 }
 
 /// Files that others may read, as far as the user's mask allows: temporary ones are private unless told.
-fn builder() -> tempfile::Builder<'static, 'static> {
+pub fn builder() -> tempfile::Builder<'static, 'static> {
     #[allow(unused_mut)] // nothing to set elsewhere
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]

@@ -1,10 +1,12 @@
 //! From the command line to a robot in a configuration, with the degrees of freedom to study.
 
-use crate::args::{BaseArg, ModelArgs, RobotArgs, Switch};
+use crate::args::{BaseArg, Loops, ModelArgs, RobotArgs, Switch};
 use crate::failure::Failure;
+use eigenbody::conditioning::{Allowed, ClosedAt, close_loops};
+use eigenbody::dynamics::Closure;
 use eigenbody::{Base, Matrix, Model, Reduction};
 use eigenbody_formats::{LoadOptions, Loaded, load};
-use eigenbody_report::Subject;
+use eigenbody_report::{LoopsReport, Subject};
 
 /// A robot in a configuration.
 pub struct System {
@@ -14,6 +16,8 @@ pub struct System {
     pub reduction: Reduction,
     /// All coordinates.
     pub q: Vec<f64>,
+    /// The loops, and how they were closed, if they are to be.
+    pub loops: Option<(Vec<Closure>, ClosedAt)>,
     name: String,
     at: String,
 }
@@ -50,7 +54,14 @@ impl System {
     pub fn open(args: &RobotArgs) -> Result<Self, Failure> {
         let (loaded, reduction) = robot(&args.model)?;
         let q = loaded.configuration(&args.at, reduction.mimic)?;
-        Ok(Self { loaded, reduction, q, name: args.model.model.clone(), at: args.at.clone() })
+        let (name, at) = (args.model.model.clone(), args.at.clone());
+        if args.loops == Loops::Open {
+            return Ok(Self { loaded, reduction, q, loops: None, name, at });
+        }
+        let closures = loaded.closures()?;
+        let closed = close_loops(&loaded.model, &q, &closures, reduction)
+            .map_err(|source| Failure::Numbers { model: name.clone(), source })?;
+        Ok(Self { loaded, reduction, q: closed.q.clone(), loops: Some((closures, closed)), name, at })
     }
 
     /// The robot.
@@ -92,9 +103,30 @@ impl System {
         }
     }
 
+    /// What was made of the loops, and what they leave.
+    pub fn loops_report(&self, allowed: &Allowed) -> Option<LoopsReport> {
+        let (closures, closed) = self.loops.as_ref()?;
+        Some(LoopsReport {
+            closures: closures.iter().map(|closure| closure.name.clone()).collect(),
+            rank: allowed.rank,
+            freedom: allowed.H.rows(),
+            opened: closed.before,
+            residual: closed.after,
+            steps: closed.steps,
+        })
+    }
+
     /// What is suspicious about the robot. A family's links are idealised on purpose.
     pub fn findings(&self) -> Vec<String> {
-        if self.loaded.is_family() { Vec::new() } else { self.loaded.findings() }
+        if self.loaded.is_family() {
+            return Vec::new();
+        }
+        let mut findings = self.loaded.findings();
+        if self.loops.is_some() {
+            // They are closed.
+            findings.retain(|finding| !finding.contains(" closes a loop: "));
+        }
+        findings
     }
 
     /// An error of the core, with the robot's name.

@@ -71,3 +71,41 @@ fn a_converted_model_has_the_same_matrix() {
     let message = failure(&["convert", &arm, "-o", "arm.step"]);
     assert_snapshot!(message, @"error: -o arm.step: expected a file named .urdf or .xml (MJCF)");
 }
+
+/// Two links and a slider: H_c = (H of the tree along the one motion that is left) / |q̇|², loops moved shut from where they were.
+#[test]
+fn closed_loops() {
+    let scratch = Scratch::new();
+    let path = scratch.file(
+        "fourbar.xml",
+        r#"<mujoco><worldbody><site name="ground" pos="1.7 0 0"/>
+<body><joint name="j1"/><geom type="capsule" fromto="0 0 0 1 0 0" size=".05"/>
+<body pos="1 0 0"><joint name="j2"/><geom type="capsule" fromto="0 0 0 1 0 0" size=".05"/>
+<body pos="1 0 0"><joint name="j3"/><geom type="capsule" fromto="0 0 0 1 0 0" size=".05"/><site name="tip" pos="1 0 0"/></body></body></body>
+</worldbody><equality><connect site1="ground" site2="tip"/></equality></mujoco>"#,
+    );
+    let at = "q=[1.2,-0.9,-1]";
+    let matrix = json(&["matrix", &path, "--at", at, "--loops", "closed", "--json"]);
+    let numbers = |value: &serde_json::Value| -> Vec<f64> {
+        value
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|x| x.as_f64().unwrap_or_else(|| x[0].as_f64().unwrap()))
+            .collect()
+    };
+    let (q, N) = (numbers(&matrix["q"]), numbers(&matrix["basis"]));
+    assert!((q[0].cos() + (q[0] + q[1]).cos() + (q[0] + q[1] + q[2]).cos() - 1.7).abs() < 1e-10, "{q:?}");
+    assert_eq!((matrix["loops"]["rank"].as_u64(), matrix["loops"]["freedom"].as_u64()), (Some(2), Some(1)));
+    let tree = json(&["matrix", &path, "--at", &format!("q={q:?}"), "--json"]);
+    let H = |i: usize, j: usize| tree["rows"][i][j].as_f64().unwrap();
+    let expected: f64 =
+        (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| N[i] * H(i, j) * N[j]).sum();
+    let found = matrix["rows"][0][0].as_f64().unwrap();
+    // nine products
+    assert!((found / expected - 1.0).abs() < 30.0 * f64::EPSILON, "{found} {expected}");
+    let spectrum = json(&["spectrum", &path, "--at", at, "--loops", "closed", "--json"]);
+    assert_eq!((spectrum["lambda_max"].as_f64(), spectrum["kappa"].as_f64()), (Some(found), Some(1.0)));
+    assert_eq!(spectrum["findings"].as_array().unwrap().len(), 0);
+    insta::assert_snapshot!(failure(&["spectrum", &path, "--loops", "closed", "--method", "sturm"]), @"error: --loops closed leaves no tree: it takes neither --method sturm nor --count-below");
+}

@@ -4,7 +4,8 @@ use crate::configuration::configuration;
 use crate::error::{FormatError, OneLine};
 use crate::location::Location;
 use crate::urdf::Rotor;
-use eigenbody::model::{Finding, Place};
+use eigenbody::dynamics::Closure;
+use eigenbody::model::{Finding, JointInfo, Place};
 use eigenbody::stability::{Integrator, Spring};
 use eigenbody::{Family, Model};
 use std::fmt;
@@ -29,6 +30,8 @@ pub struct Loaded {
     /// How the file's own engine steps.
     pub stepping: Option<Stepping>,
     pub(crate) keyframes: Vec<Keyframe>,
+    /// Loops of the file; the element's name where an end of it is not known.
+    pub(crate) closures: Vec<Result<Closure, String>>,
     pub(crate) notes: Vec<(String, Location, Note)>,
     pub(crate) places: Places,
 }
@@ -125,6 +128,53 @@ pub enum Note {
     },
 }
 
+impl Note {
+    /// A stable name of its kind.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NoName => "no-name",
+            Self::CrossedLimits { .. } => "crossed-limits",
+            Self::NoMass { .. } => "no-mass",
+            Self::PointMass { .. } => "point-mass",
+            Self::Rotor { .. } => "rotor",
+            Self::Loop { .. } => "loop",
+            Self::EqualityIgnored { .. } => "equality-ignored",
+            Self::ArmatureIgnored { .. } => "armature-ignored",
+            Self::SpringIgnored { .. } => "spring-ignored",
+            Self::OutsideWorld { .. } => "outside-world",
+        }
+    }
+
+    /// The link, joint or element that it is about.
+    pub fn subject(&self) -> &str {
+        match self {
+            Self::NoName => "",
+            Self::CrossedLimits { joint: name, .. }
+            | Self::Rotor { joint: name }
+            | Self::NoMass { link: name }
+            | Self::PointMass { link: name }
+            | Self::Loop { element: name }
+            | Self::EqualityIgnored { element: name }
+            | Self::ArmatureIgnored { element: name }
+            | Self::SpringIgnored { element: name }
+            | Self::OutsideWorld { element: name } => name,
+        }
+    }
+}
+
+/// A finding or a note, with its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remark {
+    /// A stable name of its kind.
+    pub code: &'static str,
+    /// The link, joint or element that it is about; empty for the whole model.
+    pub subject: String,
+    /// Its file and place, if there is one.
+    pub place: Option<(String, Location)>,
+    /// In words.
+    pub text: String,
+}
+
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -147,7 +197,10 @@ impl fmt::Display for Note {
             Self::Rotor { joint } => {
                 write!(f, "the rotor of joint '{joint}' has inertia: H is without it; --rotors on adds it")
             }
-            Self::Loop { element } => write!(f, "{element} closes a loop: H is that of the tree without it"),
+            Self::Loop { element } => write!(
+                f,
+                "{element} closes a loop: H is that of the tree without it; --loops closed is with it"
+            ),
             Self::EqualityIgnored { element } => {
                 write!(f, "{element} is an equality that --mimic on does not apply")
             }
@@ -170,6 +223,8 @@ pub(crate) struct Places {
     pub files: Vec<String>,
     pub links: Vec<(u32, Location)>,
     pub joints: Vec<(u32, Location)>,
+    /// Names of `joints`.
+    pub joint_names: Vec<String>,
 }
 
 impl Loaded {
@@ -183,6 +238,7 @@ impl Loaded {
             springs: Vec::new(),
             stepping: None,
             keyframes: Vec::new(),
+            closures: Vec::new(),
             notes: Vec::new(),
             places,
         }
@@ -222,6 +278,21 @@ impl Loaded {
         Ok(self)
     }
 
+    /// The loops that the file closes.
+    ///
+    /// Errors: [`FormatError::Unsuitable`] if one of them is fastened to something that is not known.
+    pub fn closures(&self) -> Result<Vec<Closure>, FormatError> {
+        let known = |closure: &Result<Closure, String>| {
+            closure.clone().map_err(|element| FormatError::Unsuitable {
+                text: self.name.clone(),
+                problem: format!(
+                    "{element} cannot be closed: an end of it names no body or site of the model"
+                ),
+            })
+        };
+        self.closures.iter().map(known).collect()
+    }
+
     /// True for a parametric family.
     pub fn is_family(&self) -> bool {
         matches!(self.kind, Kind::Family(_))
@@ -245,14 +316,44 @@ impl Loaded {
         }
     }
 
-    /// What is suspicious about the model, and what its text says and it does not: each as [`warning`](Self::warning) prints it.
-    pub fn findings(&self) -> Vec<String> {
-        let of_model = self.model.findings().iter().map(|finding| self.warning(finding));
-        let of_text = self
-            .notes
-            .iter()
-            .map(|(file, at, note)| OneLine(format!("{file}:{at}: warning: {note}")).to_string());
+    /// What is suspicious about the model, and what its text says and it does not.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let of_model = self.model.findings().iter().map(|finding| Remark {
+            code: finding.code(),
+            subject: finding.subject().to_owned(),
+            place: self.place(finding.place()).map(|(file, at)| (file.to_owned(), at)),
+            text: finding.to_string(),
+        });
+        let of_text = self.notes.iter().map(|(file, at, note)| Remark {
+            code: note.code(),
+            subject: note.subject().to_owned(),
+            place: Some((file.clone(), *at)),
+            text: note.to_string(),
+        });
         of_model.chain(of_text).collect()
+    }
+
+    /// The same, each as [`warning`](Self::warning) prints it.
+    pub fn findings(&self) -> Vec<String> {
+        let line = |remark: Remark| {
+            let at = match remark.place {
+                Some((file, at)) => format!("{file}:{at}"),
+                None => self.name.clone(),
+            };
+            OneLine(format!("{at}: warning: {}", remark.text)).to_string()
+        };
+        self.remarks().into_iter().map(line).collect()
+    }
+
+    /// The file and the place of the joint that a degree of freedom belongs to, if there is one.
+    pub fn place_of_dof(&self, dof: &str) -> Option<(&str, Location)> {
+        let has = |joint: &&JointInfo<f64>| {
+            dof.starts_with(joint.name()) && joint.dofs().any(|d| self.model.dof_name(d) == dof)
+        };
+        let joint = self.model.joints().iter().find(has)?;
+        let k = self.places.joint_names.iter().position(|name| name == joint.name())?;
+        let (file, at) = *self.places.joints.get(k)?;
+        Some((self.places.files.get(file as usize)?, at))
     }
 
     /// `file:line:column: warning: text`, on one line.

@@ -1,57 +1,9 @@
 //! Files made to break a reader: an error or a model, in bounded time and memory, never a panic.
 
 use crate::mjcf::CASES;
+use crate::mutation::mutated;
 use eigenbody::model::Random;
 use eigenbody_formats::{MjcfOptions, UrdfOptions, read_mjcf_str, read_urdf_str};
-
-/// Numbers and words that files should not have.
-const WORDS: [&str; 12] = [
-    "0",
-    "-1",
-    "1e308",
-    "-1e-308",
-    "nan",
-    "inf",
-    "999999999",
-    "1e9",
-    "",
-    "1 2 3 4 5 6 7",
-    "joint",
-    "..\u{0}",
-];
-
-/// A text with one to four accidents.
-fn mutated(text: &str, random: &mut Random) -> String {
-    let mut bytes = text.as_bytes().to_vec();
-    let mut below = |n: usize| random.between(0.0, n.max(1) as f64) as usize;
-    for _ in 0..=below(4) {
-        let (at, length) = (below(bytes.len()), below(80));
-        let end = (at + length).min(bytes.len());
-        match below(7) {
-            0 if !bytes.is_empty() => bytes[at] ^= 1 << below(8),
-            1 => bytes.truncate(at),
-            2 => {
-                bytes.drain(at..end);
-            }
-            3 => {
-                let piece = bytes[at..end].to_vec();
-                let to = below(bytes.len());
-                bytes.splice(to..to, piece);
-            }
-            _ => {
-                // A value replaced, between two quotes.
-                let quote = |from: usize| bytes.iter().skip(from).position(|&b| b == b'"').map(|k| from + k);
-                let open = quote(at);
-                let close = open.and_then(|open| quote(open + 1));
-                if let (Some(open), Some(close)) = (open, close) {
-                    let word = WORDS[below(WORDS.len())];
-                    bytes.splice(open + 1..close, word.bytes());
-                }
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
 
 /// How many of so many mutations of some texts are still read.
 fn survivors(texts: &[&str], count: usize, read: impl Fn(&str) -> bool) -> usize {

@@ -13,6 +13,7 @@ mod gains;
 mod hostile;
 mod metric;
 mod mjcf;
+mod mutation;
 mod sdf;
 mod source;
 mod urdf;

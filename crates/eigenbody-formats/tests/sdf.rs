@@ -1,6 +1,8 @@
 //! SDF files: the same robots as in URDF, the graph of poses, the errors.
 
+use eigenbody::dynamics::{Tie, closure_residual};
 use eigenbody::model::LinkInfo;
+use eigenbody::spatial::Vec3;
 use eigenbody::{Base, mass_matrix};
 use eigenbody_formats::{Loaded, SdfOptions, UrdfOptions, read_sdf, read_sdf_str, read_urdf_str};
 use insta::assert_snapshot;
@@ -117,7 +119,36 @@ fn a_loop_is_cut_at_the_joint_that_closes_it() {
         &(links.to_owned() + &joint("ab", "a", "b") + &joint("bc", "b", "c") + &joint("ca", "c", "a")),
     );
     assert_eq!(found.model.nv(), 2);
-    assert_snapshot!(found.findings().join("\n"), @"m.sdf:4:1: warning: joint 'ca' closes a loop: H is that of the tree without it");
+    assert_snapshot!(found.findings().join("\n"), @"m.sdf:4:1: warning: joint 'ca' closes a loop: H is that of the tree without it; --loops closed is with it");
+    let closures = found.closures().unwrap();
+    assert_eq!(closures.len(), 1);
+    assert_eq!((closures[0].name.as_str(), closures[0].tie), ("joint 'ca'", Tie::Hinge(Vec3::Z)));
+}
+
+/// A joint that closes a loop holds where the file puts it: at q = 0 every loop of an SDF file is closed.
+#[test]
+fn loops_are_closed_in_the_pose_of_the_file() {
+    let kinds = [
+        ("fixed", "", 6),
+        ("ball", "", 3),
+        ("revolute", "<axis><xyz>0 1 1</xyz></axis>", 5),
+        ("prismatic", "<axis><xyz>1 2 0</xyz></axis>", 5),
+        ("universal", "<axis><xyz>1 0 0</xyz></axis><axis2><xyz>0 1 0</xyz></axis2>", 4),
+    ];
+    for (kind, axes, rows) in kinds {
+        let found = loaded(&format!(
+            r#"<link name="a"><pose>0.1 0 0 0.3 0 0</pose></link><link name="b"><pose>1 0.2 0 0 0.5 0</pose></link>
+            <link name="c"><pose>1 1 0.4 0 0 0.7</pose></link>
+            <joint name="ab" type="revolute"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis></joint>
+            <joint name="bc" type="ball"><parent>b</parent><child>c</child></joint>
+            <joint name="ca" type="{kind}"><pose>0.2 0.1 0 0.4 0 0</pose><parent>c</parent><child>a</child>{axes}</joint>"#
+        ));
+        let closures = found.closures().unwrap();
+        assert_eq!((closures.len(), closures[0].rows()), (1, rows), "{kind}");
+        let open = closure_residual(&found.model, &found.model.neutral(), &closures).unwrap();
+        // a few products of rotations with lengths near 1
+        assert!(open.iter().all(|x| x.abs() < 32.0 * f64::EPSILON), "{kind}: {open:?}");
+    }
 }
 
 #[test]

@@ -3,6 +3,8 @@
 //! Nothing is computed here: a result comes in, text or bytes go out.
 
 #![forbid(unsafe_code)]
+// H is the book's symbol.
+#![allow(non_snake_case)]
 
 mod diagnosis;
 mod excerpt;
@@ -10,17 +12,30 @@ pub mod figure;
 mod info;
 mod matrix;
 mod number;
+mod page;
 mod reproduction;
+mod rows;
+mod rules;
 mod spectrum;
+mod sweep;
 mod table;
 mod text;
 
-pub use diagnosis::{AddedReport, AdviceReport, DiagnosisReport, advice_text, diagnosis_text};
+pub use diagnosis::{
+    AddedReport, AdviceReport, Baseline, Change, Comparison, DiagnosisReport, FindingReport, Fixed,
+    PlaceReport, RemarkReport, State, WorstReport, advice_text, diagnosis_text,
+};
 pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
-pub use matrix::MatrixReport;
+pub use matrix::{AmongReport, MatrixReport};
 pub use number::significant;
+pub use page::{Page, WorstPicture};
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
-pub use spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
+#[cfg(feature = "parquet")]
+pub use rows::{ParquetFailure, write_parquet};
+pub use rows::{RowsCsv, read_rows};
+pub use rules::{OF_MODELS, OF_ROBOTS, Rule, rules};
+pub use spectrum::{CountReport, ErrorEstimate, LoopsReport, ModeReport, SpectrumReport, Subject};
+pub use sweep::{PlanRecord, SweepFolder, SweepFolderError, chunk_text};
 pub use table::write_table_csv;
 pub use text::{Mode, count, modes};

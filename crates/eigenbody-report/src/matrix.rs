@@ -1,6 +1,6 @@
 //! The mass matrix itself, in forms that other programs read.
 
-use crate::spectrum::Subject;
+use crate::spectrum::{LoopsReport, Subject};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -14,6 +14,20 @@ pub struct MatrixReport {
     pub dofs: Vec<String>,
     /// H, row by row.
     pub rows: Vec<Vec<f64>>,
+    /// Among which motions, where loops are closed.
+    #[serde(flatten)]
+    pub among: Option<AmongReport>,
+}
+
+/// The motions that loops allow: v = N y, and H is Nᵀ H N.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AmongReport {
+    /// Names of the rows of N.
+    pub joints: Vec<String>,
+    /// N, row by row: orthonormal columns, a radian as much as a metre.
+    pub basis: Vec<Vec<f64>>,
+    /// The loops.
+    pub loops: LoopsReport,
 }
 
 impl MatrixReport {
@@ -62,10 +76,11 @@ impl MatrixReport {
         let width = cells.iter().flatten().map(|c| c.chars().count()).max().unwrap_or(0);
         let names = self.dofs.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         let mut page = format!(
-            "{}, {} base, at {}: H, {n} × {n} (kg m², kg m, kg)\n\n",
+            "{}, {} base, at {}: {}, {n} × {n} (kg m², kg m, kg)\n\n",
             self.subject.model,
             self.subject.base,
             self.subject.configuration,
+            if self.among.is_some() { "Nᵀ H N of the closed loops, NᵀN = 1" } else { "H" },
             n = self.rows.len()
         );
         for (name, row) in self.dofs.iter().zip(&cells) {

@@ -48,6 +48,23 @@ pub struct CountReport {
     pub count: usize,
 }
 
+/// Loops that were closed, and what they leave.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LoopsReport {
+    /// What closes them.
+    pub closures: Vec<String>,
+    /// Independent conditions on the velocities.
+    pub rank: usize,
+    /// Degrees of freedom that are left.
+    pub freedom: usize,
+    /// How far the loops were open in the configuration that was asked for (m, rad).
+    pub opened: f64,
+    /// How far they are open now.
+    pub residual: f64,
+    /// Gauss-Newton steps between the two.
+    pub steps: usize,
+}
+
 /// Everything that `eigenbody spectrum --json` prints. A number that does not exist is `null` and `note` says why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SpectrumReport {
@@ -92,6 +109,9 @@ pub struct SpectrumReport {
     /// Why a number is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
+    /// The loops, if they are closed: the numbers are then those of the motions that they allow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loops: Option<LoopsReport>,
     /// What is suspicious about the model.
     pub findings: Vec<String>,
 }
@@ -143,6 +163,7 @@ impl SpectrumReport {
             softest: result.softest.as_ref().map(mode),
             stiffest: result.stiffest.as_ref().map(mode),
             note: (!notes.is_empty()).then(|| notes.join("; ")),
+            loops: None,
             findings: Vec::new(),
         }
     }

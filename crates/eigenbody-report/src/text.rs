@@ -1,7 +1,7 @@
 //! The spectrum as a page for the terminal.
 
 use crate::number::significant;
-use crate::spectrum::{CountReport, ErrorEstimate, ModeReport, SpectrumReport, Subject};
+use crate::spectrum::{CountReport, ErrorEstimate, LoopsReport, ModeReport, SpectrumReport, Subject};
 use comfy_table::{Table, presets};
 use std::fmt::Write;
 
@@ -26,6 +26,9 @@ impl SpectrumReport {
             let _ = writeln!(page, "{}", line.trim_end());
         }
         page.push('\n');
+        if let Some(loops) = &self.loops {
+            let _ = writeln!(page, "{}\n", loops.to_text());
+        }
         if let Some(CountReport { sigma, count }) = self.count_below {
             let _ = writeln!(page, "  {count} of {} eigenvalues lie below {sigma}\n", self.dofs);
         }
@@ -106,6 +109,24 @@ impl SpectrumReport {
             }
         }
         table
+    }
+}
+
+impl LoopsReport {
+    /// What was closed, what is left, and whether the configuration had to move.
+    fn to_text(&self) -> String {
+        let loops = count(self.closures.len(), "loop", "loops");
+        let left = count(self.freedom, "degree of freedom", "degrees of freedom");
+        let text = format!("  {loops} closed: {} independent conditions leave {left}", self.rank);
+        match self.steps {
+            0 => text,
+            steps => format!(
+                "{text}\n  open by {} (m, rad) at first, closed to {:.0e} in {}; --json has that q",
+                significant(self.opened, 3),
+                self.residual,
+                count(steps, "step", "steps")
+            ),
+        }
     }
 }
 

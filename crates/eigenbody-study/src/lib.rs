@@ -26,11 +26,16 @@ mod experiment;
 pub mod featherstone;
 pub mod fit;
 mod lab;
+pub mod monitor;
+pub mod portrait;
+mod row;
 pub mod shah_saha;
 pub mod simulate;
+pub mod sweep;
 mod table;
 
 pub use claim::{CLAIMS, Check, Claim, Kind, Reading, Verdict};
 pub use experiment::{EXPERIMENTS, Experiment, Outcome, Paper, UnknownId, select};
 pub use lab::{Bench, Lab, Robots, StudyError};
+pub use row::{Cell, Field, Shape};
 pub use table::{Column, Table, Values};

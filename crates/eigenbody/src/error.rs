@@ -56,6 +56,9 @@ pub enum InputError {
         "mimic joints break the tree that the method needs; use the dense method or let them move freely"
     )]
     NotATree,
+    /// A base that a loop holds cannot be removed.
+    #[error("a loop ties the floating base to the world: it cannot be removed")]
+    LoopHoldsBase,
     /// The operation needs a floating base and the model has none.
     #[error("the model has no floating base")]
     NoFloatingBase,
@@ -80,6 +83,20 @@ pub enum Error {
     /// The mass matrix is singular or indefinite.
     #[error(transparent)]
     NotPositiveDefinite(#[from] NotPositiveDefinite),
+    /// Loops that do not close near a configuration.
+    #[error(
+        "{closure} stays open by {after:.1e} (m, rad) after {steps} steps from {before:.1e}: start nearer to a closed configuration"
+    )]
+    Open {
+        /// The closure that is open the farthest.
+        closure: String,
+        /// How far loops were open at first (m, rad).
+        before: f64,
+        /// How far at last.
+        after: f64,
+        /// Steps that were taken.
+        steps: usize,
+    },
     /// An iteration did not settle; the matrix is returned to the user's care.
     #[error("eigenvalue {index} did not converge in {iterations} iterations")]
     NoConvergence {

@@ -16,8 +16,8 @@
 //!
 //! # What this crate does not do
 //!
-//! It reads and writes no files (`eigenbody-formats`), draws nothing (`eigenbody-report`), resolves no contacts and closes no
-//! kinematic loops. Bodies are rigid.
+//! It reads and writes no files (`eigenbody-formats`), draws nothing (`eigenbody-report`) and resolves no contacts. Loops are closed
+//! for the mass matrix alone. Bodies are rigid.
 
 // H, S, U, D, I and X are the book's symbols.
 #![allow(non_snake_case)]

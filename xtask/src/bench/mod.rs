@@ -5,6 +5,7 @@
 
 mod figures;
 mod instructions;
+pub mod peers;
 mod report;
 
 use std::path::{Path, PathBuf};
@@ -33,7 +34,7 @@ pub fn bench() -> Outcome {
     let text = report::text(&figures);
     println!("\n{text}");
     write(&directory.join("bench.json"), &figures.json())?;
-    report::update(&root().join("docs/performance.md"), &text)?;
+    report::update(&root().join("docs/performance.md"), "bench", &text)?;
     limits
 }
 

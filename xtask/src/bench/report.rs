@@ -5,21 +5,21 @@ use std::path::Path;
 use super::{Figures, SHAPES, SIZES, write};
 use crate::Outcome;
 
-const BEGIN: &str = "<!-- begin: written by `cargo xtask bench` -->\n";
 const END: &str = "<!-- end -->";
 
-/// Puts the text between the markers of a file.
-pub fn update(path: &Path, text: &str) -> Outcome {
+/// Puts what a task wrote between its markers in a file.
+pub fn update(path: &Path, task: &str, text: &str) -> Outcome {
     let old =
         std::fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
-    let new = between(&old, text).ok_or_else(|| format!("{}: no markers", path.display()))?;
+    let new = between(&old, task, text).ok_or_else(|| format!("{}: no markers of {task}", path.display()))?;
     write(&path.to_path_buf(), &new)
 }
 
-fn between(old: &str, text: &str) -> Option<String> {
-    let (before, rest) = old.split_once(BEGIN)?;
+fn between(old: &str, task: &str, text: &str) -> Option<String> {
+    let begin = format!("<!-- begin: written by `cargo xtask {task}` -->\n");
+    let (before, rest) = old.split_once(&begin)?;
     let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}\n{text}\n{END}{after}"))
+    Some(format!("{before}{begin}\n{text}\n{END}{after}"))
 }
 
 /// All tables, in Markdown.
@@ -29,7 +29,7 @@ pub fn text(figures: &Figures) -> String {
 }
 
 /// A time with three digits and a fitting unit.
-fn time(seconds: f64) -> String {
+pub fn time(seconds: f64) -> String {
     let (number, unit) = match seconds {
         s if s < 1e-6 => (s * 1e9, "ns"),
         s if s < 1e-3 => (s * 1e6, "µs"),
@@ -40,7 +40,8 @@ fn time(seconds: f64) -> String {
     format!("{number:.digits$} {unit}")
 }
 
-fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+/// A table in Markdown under its title.
+pub fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let head: Vec<String> = head.iter().map(ToString::to_string).collect();
     let rule = format!("|{}\n", "---|".repeat(head.len()));
@@ -177,9 +178,10 @@ mod tests {
 
     #[test]
     fn the_text_goes_between_the_markers() {
-        let old = format!("a\n{BEGIN}old\n{END}\nb\n");
-        assert_eq!(between(&old, "new\n"), Some(format!("a\n{BEGIN}\nnew\n\n{END}\nb\n")));
-        assert_eq!(between("a\n", "new\n"), None);
+        let old = "a\n<!-- begin: written by `cargo xtask x` -->\nold\n<!-- end -->\nb\n";
+        let new = "a\n<!-- begin: written by `cargo xtask x` -->\n\nnew\n\n<!-- end -->\nb\n";
+        assert_eq!(between(old, "x", "new\n").as_deref(), Some(new));
+        assert_eq!(between(old, "y", "new\n"), None);
     }
 
     #[test]

@@ -1,68 +1,255 @@
-//! `eigenbody check`.
+//! `eigenbody check` and `eigenbody report`.
 
 use super::advise::advise;
 use super::drive::drive;
 use super::positive;
-use crate::args::{CheckArgs, CheckFormat, FailOn};
+use crate::args::{CheckArgs, CheckCommand, CheckFormat, FailOn, ReportArgs};
 use crate::failure::Failure;
 use crate::output::deliver;
+use crate::settings::Settings;
 use crate::system::robot;
-use eigenbody::search::Effort;
-use eigenbody_formats::Kind;
-use eigenbody_report::{DiagnosisReport, advice_text, diagnosis_text};
+use eigenbody::search::{Effort, Measure};
+use eigenbody::{Metric, Model};
+use eigenbody_formats::{Kind, Loaded};
+use eigenbody_report::{
+    Baseline, DiagnosisReport, Page, PlaceReport, RemarkReport, State, WorstPicture, advice_text,
+    diagnosis_text, significant,
+};
 use eigenbody_study::StudyError;
-use eigenbody_study::diagnosis::{Limits, Question, Severity, diagnose};
+use eigenbody_study::diagnosis::{Diagnosis, Goal, Limits, Question, Remedies, Severity, diagnose};
+use eigenbody_study::portrait::portrait;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
-/// Prints what is wrong; false if something is.
-pub fn run(args: &CheckArgs) -> Result<bool, Failure> {
-    let metric = eigenbody_formats::metric(&args.metric)?;
-    let limits = limits(args)?;
-    let (loaded, reduction) = robot(&args.model)?;
-    let model = &loaded.model;
-    let effort = Effort { samples: args.samples, seed: args.seed, ..Effort::default() };
-    let drive = drive(&args.gains, &loaded)?;
-    let question = Question { reduction, metric, effort, limits, drive };
-    let bar = progress();
-    let found = diagnose(model, &question, |evaluated| bar.inc(evaluated as u64));
-    bar.finish_and_clear();
-    let name = &args.model.model;
-    let found = found.map_err(|error| match error {
-        StudyError::Numbers(source) => Failure::Numbers { model: name.clone(), source },
-        error => Failure::Usage(format!("{name}: {error}")),
-    })?;
-    let own = if matches!(loaded.kind, Kind::File(_)) { loaded.findings() } else { Vec::new() };
-    let advice = advise(args, &loaded, reduction, effort, &question.drive)?;
-    let text = match args.format {
-        CheckFormat::Human => {
-            let advice = advice.iter().map(|(goal, found)| advice_text(*goal, found));
-            diagnosis_text(name, &found, &own) + &advice.collect::<String>()
-        }
-        CheckFormat::Json => {
-            let json = DiagnosisReport::new(name, &found, own).with_advice(advice.as_ref()).to_json();
-            format!("{}\n", json.map_err(|error| Failure::Json(error.to_string()))?)
-        }
-    };
-    deliver(args.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
-    let least = match args.fail_on {
-        FailOn::Warning => Severity::Warning,
-        FailOn::Error => Severity::Error,
-        FailOn::Never => return Ok(true),
-    };
-    Ok(!found.findings.iter().any(|finding| finding.severity >= least))
+/// A robot, examined.
+struct Examined {
+    loaded: Loaded,
+    question: Question,
+    settings: Settings,
+    found: Diagnosis,
+    advice: Option<(Goal, Remedies)>,
+    report: DiagnosisReport,
 }
 
-fn limits(args: &CheckArgs) -> Result<Limits, Failure> {
+/// Prints what is wrong; false if something is.
+pub fn run(args: &CheckCommand) -> Result<bool, Failure> {
+    let examined = examine(&args.check)?;
+    let Examined { found, advice, report, settings, .. } = &examined;
+    let json = |text: Result<String, serde_json::Error>| {
+        text.map(|text| text + "\n").map_err(|error| Failure::Json(error.to_string()))
+    };
+    let text = match args.format {
+        CheckFormat::Human => {
+            let page = diagnosis_text(&report.model, found, &report.model_findings);
+            let advice: String = advice.iter().map(|(goal, found)| advice_text(*goal, found)).collect();
+            page + &advice + &report.comparison.as_ref().map_or_else(String::new, |c| c.to_text())
+        }
+        CheckFormat::Json => json(report.to_json())?,
+        CheckFormat::Sarif => json(report.to_sarif())?,
+        CheckFormat::Html => html(&examined)?,
+    };
+    deliver(args.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
+    let fail_on = args.fail_on.as_ref().or(settings.fail_on.as_ref());
+    Ok(!fails(fail_on.unwrap_or(&FailOn::Level(Severity::Warning)), found, report))
+}
+
+/// Writes the page.
+pub fn page(args: &ReportArgs) -> Result<(), Failure> {
+    let page = html(&examine(&args.check)?)?;
+    deliver(Some(&args.output), |out| out.write_all(page.as_bytes()))?;
+    deliver(None, |out| writeln!(out, "{}: {} kB", args.output.display(), page.len().div_ceil(1000)))
+}
+
+/// True if a finding counts. Remarks on the file count only by name; where there is a baseline, only what is new or worse.
+fn fails(fail_on: &FailOn, found: &Diagnosis, report: &DiagnosisReport) -> bool {
+    let states = |pick: fn(&eigenbody_report::Comparison) -> &Vec<State>, n: usize| match &report.comparison {
+        Some(comparison) => pick(comparison).clone(),
+        None => vec![State::New; n],
+    };
+    let of_findings = states(|c| &c.findings, found.findings.len());
+    let of_remarks = states(|c| &c.remarks, report.remarks.len());
+    let counts = |state: &State| *state != State::Unchanged;
+    match fail_on {
+        FailOn::Never => false,
+        FailOn::Level(least) => {
+            found.findings.iter().zip(&of_findings).any(|(f, s)| f.severity >= *least && counts(s))
+        }
+        FailOn::Codes(codes) => {
+            let findings = report.findings.iter().map(|f| f.id).zip(&of_findings);
+            let remarks = report.remarks.iter().map(|r| r.code).zip(&of_remarks);
+            findings.chain(remarks).any(|(code, s)| codes.iter().any(|c| c == code) && counts(s))
+        }
+    }
+}
+
+fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
+    let (loaded, reduction) = robot(&args.model)?;
+    let settings = Settings::find(args.config.as_deref(), &loaded)?;
+    let baseline = args.baseline.as_deref().map(baseline).transpose()?;
+    let metric = args.metric.as_ref().or(settings.metric.as_ref());
+    let metric = metric.map_or(Ok(Metric::Euclidean), |text| eigenbody_formats::metric(text))?;
+    let default = Effort::default();
+    let effort = Effort {
+        samples: args.samples.or(settings.samples).unwrap_or(default.samples),
+        seed: args.seed.or(settings.seed).unwrap_or(default.seed),
+        ..default
+    };
+    let drive = drive(&args.gains, &loaded)?;
+    let question = Question { reduction, metric, effort, limits: limits(args, &settings)?, drive };
+    let bar = progress();
+    let found = diagnose(&loaded.model, &question, |evaluated| bar.inc(evaluated as u64));
+    bar.finish_and_clear();
+    let name = &args.model.model;
+    let found = found.map_err(|error| failed(name, error))?;
+    let advice = advise(args, &loaded, reduction, effort, &question.drive)?;
+    let report = report(name, &loaded, &found).with_advice(advice.as_ref());
+    let report = match &baseline {
+        Some((file, baseline)) => report.against(file, baseline),
+        None => report,
+    };
+    Ok(Examined { loaded, question, settings, found, advice, report })
+}
+
+fn failed(name: &str, error: StudyError) -> Failure {
+    match error {
+        StudyError::Numbers(source) => Failure::Numbers { model: name.to_owned(), source },
+        error => Failure::Usage(format!("{name}: {error}")),
+    }
+}
+
+/// An earlier report, and how its file is called.
+fn baseline(path: &std::path::Path) -> Result<(String, Baseline), Failure> {
+    let text =
+        std::fs::read_to_string(path).map_err(|source| Failure::File { path: path.to_owned(), source })?;
+    let name = path.display().to_string();
+    let baseline = Baseline::parse(&text).map_err(|error| {
+        Failure::Usage(format!(
+            "{name}:{}:{}: no report of `eigenbody check --format json`: {error}",
+            error.line(),
+            error.column()
+        ))
+    })?;
+    Ok((name, baseline))
+}
+
+/// The report, with the places of joints in the model's file.
+fn report(name: &str, loaded: &Loaded, found: &Diagnosis) -> DiagnosisReport {
+    let Kind::File(path) = &loaded.kind else { return DiagnosisReport::new(name, found, Vec::new()) };
+    let place = |(file, at): (&str, eigenbody_formats::Location)| PlaceReport {
+        file: file.to_owned(),
+        line: at.line,
+        column: at.column,
+    };
+    let remarks = loaded.remarks().into_iter().map(|remark| {
+        let at = remark.place.as_ref().map(|(file, at)| place((file, *at)));
+        RemarkReport::new(remark.code, remark.subject, remark.text, at)
+    });
+    DiagnosisReport::new(name, found, loaded.findings()).located(
+        Some(path.display().to_string()),
+        |dof| loaded.place_of_dof(dof).map(place),
+        remarks.collect(),
+    )
+}
+
+/// The page: the report, and portraits of the worst configurations.
+fn html(examined: &Examined) -> Result<String, Failure> {
+    let Examined { loaded, question, settings, found, report, .. } = examined;
+    let model = &loaded.model;
+    let mut worst: Vec<WorstPicture> = Vec::new();
+    for found in &found.worst {
+        let (q, measure) = (&found.spread.at, found.spread.measure);
+        if let Some(same) = worst.iter_mut().find(|worst| worst.portrait.q == *q) {
+            same.measures.push(measure_name(measure));
+            continue;
+        }
+        // κ′ judges in each joint's own units, which a joint without inertia does not have.
+        let metric = if measure == Measure::KappaWeighted { &Metric::UnitDiagonal } else { &question.metric };
+        let drawn = portrait(model, question.reduction, metric, q)
+            .or_else(|_| portrait(model, question.reduction, &Metric::Euclidean, q))
+            .map_err(|error| failed(&report.model, error))?;
+        worst.push(WorstPicture { measures: vec![measure_name(measure)], portrait: drawn });
+    }
+    let page = Page {
+        report: report.clone(),
+        robot: model.name().to_owned(),
+        base: match (model.has_floating_base(), question.reduction.base) {
+            (false, _) => "fixed",
+            (true, false) => "floating",
+            (true, true) => "free-floating",
+        }
+        .to_owned(),
+        mass: model.bodies().iter().map(|body| body.inertia().m).sum(),
+        bodies: model.bodies().len(),
+        coordinates: coordinates(model),
+        unit: found.unit,
+        worst,
+        method: method(question, settings, found),
+    };
+    Ok(page.to_html())
+}
+
+fn measure_name(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Kappa => "kappa",
+        Measure::KappaWeighted => "kappa_weighted",
+        Measure::LambdaMin => "lambda_min",
+    }
+}
+
+/// Name and unit of every coordinate.
+fn coordinates(model: &Model<f64>) -> Vec<(String, &'static str)> {
+    let mut names = Vec::with_capacity(model.nq());
+    for joint in model.joints() {
+        let dofs: Vec<usize> = joint.dofs().collect();
+        if joint.kind().nq() == dofs.len() {
+            let unit = |d: usize| if model.is_translation(d) { "m" } else { "rad" };
+            names.extend(dofs.into_iter().map(|d| (model.dof_name(d), unit(d))));
+        } else {
+            // A displacement if there is one, then a unit quaternion.
+            let moves = joint.kind().nq() - 4;
+            let parts = ["x", "y", "z"].into_iter().take(moves).map(|part| (part, "m"));
+            let turns = ["w", "x", "y", "z"].map(|part| (part, "1"));
+            names.extend(parts.chain(turns).map(|(part, unit)| (format!("{}/{part}", joint.name()), unit)));
+        }
+    }
+    names
+}
+
+fn method(question: &Question, settings: &Settings, found: &Diagnosis) -> Vec<(String, String)> {
+    let Question { reduction, metric, effort, limits, .. } = question;
+    let settings =
+        settings.path.as_ref().map_or_else(|| "none".to_owned(), |path| path.display().to_string());
+    let rows = [
+        ("eigenbody", env!("CARGO_PKG_VERSION").to_owned()),
+        ("samples", effort.samples.to_string()),
+        ("seed", effort.seed.to_string()),
+        ("configurations evaluated", found.evaluations.to_string()),
+        ("metric of κ and λmin", metric.to_string()),
+        ("mimic joints", if reduction.mimic { "follow" } else { "move freely" }.to_owned()),
+        ("a finding if κ′ exceeds", significant(limits.kappa_weighted, 3)),
+        ("a finding if κ exceeds", significant(limits.kappa, 3)),
+        ("digits that single precision must keep", significant(limits.f32_digits, 3)),
+        ("settings", settings),
+    ];
+    rows.map(|(what, how)| (what.to_owned(), how)).into()
+}
+
+/// What the options say, else the file, else the defaults.
+fn limits(args: &CheckArgs, settings: &Settings) -> Result<Limits, Failure> {
     let default = Limits::default();
-    let or = |option: &str, given: Option<f64>, default: f64| match given {
+    let or = |option: &str, given: Option<f64>, kept: Option<f64>, default: f64| match given {
         Some(x) => positive(option, x),
-        None => Ok(default),
+        None => Ok(kept.unwrap_or(default)),
     };
     Ok(Limits {
-        kappa_weighted: or("--max-kappa-weighted", args.max_kappa_weighted, default.kappa_weighted)?,
-        kappa: or("--max-kappa", args.max_kappa, default.kappa)?,
-        f32_digits: or("--f32-digits", args.f32_digits, default.f32_digits)?,
+        kappa_weighted: or(
+            "--max-kappa-weighted",
+            args.max_kappa_weighted,
+            settings.max_kappa_weighted,
+            default.kappa_weighted,
+        )?,
+        kappa: or("--max-kappa", args.max_kappa, settings.max_kappa, default.kappa)?,
+        f32_digits: or("--f32-digits", args.f32_digits, settings.f32_digits, default.f32_digits)?,
     })
 }
 

@@ -4,16 +4,32 @@ use crate::args::MatrixArgs;
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::system::System;
-use eigenbody_report::MatrixReport;
+use eigenbody::conditioning::allowed_motions;
+use eigenbody::{Matrix, Metric};
+use eigenbody_report::{AmongReport, MatrixReport};
 
 /// Prints H.
 pub fn run(args: &MatrixArgs) -> Result<(), Failure> {
     let system = System::open(&args.robot)?;
-    let H = system.mass_matrix()?;
-    let report = MatrixReport {
-        subject: system.subject(),
-        dofs: system.dof_names(),
-        rows: (0..H.rows()).map(|i| H.row(i).to_vec()).collect(),
+    let rows = |M: &Matrix<f64>| (0..M.rows()).map(|i| M.row(i).to_vec()).collect();
+    let (subject, joints) = (system.subject(), system.dof_names());
+    let report = match &system.loops {
+        None => MatrixReport { subject, dofs: joints, rows: rows(&system.mass_matrix()?), among: None },
+        Some((closures, _)) => {
+            let found =
+                allowed_motions(system.model(), &system.q, closures, system.reduction, &Metric::Euclidean);
+            let allowed = found.map_err(|error| system.failure(error))?;
+            MatrixReport {
+                subject,
+                dofs: (1..=allowed.H.rows()).map(|k| format!("y{k}")).collect(),
+                rows: rows(&allowed.H),
+                among: system.loops_report(&allowed).map(|loops| AmongReport {
+                    joints,
+                    basis: rows(&allowed.basis),
+                    loops,
+                }),
+            }
+        }
     };
     let path = args.output.as_deref();
     if args.npy {

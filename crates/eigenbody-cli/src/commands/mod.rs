@@ -6,8 +6,13 @@ pub mod convert;
 mod drive;
 pub mod info;
 pub mod matrix;
+pub mod motion;
 pub mod reproduce;
+pub mod simulate;
 pub mod spectrum;
+#[cfg(feature = "parquet")]
+pub mod sweep;
+pub mod track;
 pub mod welcome;
 
 /// A number that an option must have above zero.

@@ -1,9 +1,10 @@
 //! `eigenbody spectrum`.
 
-use crate::args::SpectrumArgs;
+use crate::args::{MethodArg, SpectrumArgs};
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::system::System;
+use eigenbody::conditioning::conditioning_closed;
 use eigenbody::{Metric, Question, conditioning_at, count_below};
 use eigenbody_report::{CountReport, SpectrumReport};
 
@@ -34,14 +35,25 @@ fn report(system: &System, metric: Metric<f64>, args: &SpectrumArgs) -> Result<S
         precision: args.precision.into(),
         all: args.all,
     };
-    let result = conditioning_at(model, &system.q, &question).map_err(|error| system.failure(error))?;
+    let (result, loops) = match &system.loops {
+        None => (conditioning_at(model, &system.q, &question).map_err(|error| system.failure(error))?, None),
+        Some((closures, _)) => {
+            if args.method == MethodArg::Sturm || args.count_below.is_some() {
+                let text = "--loops closed leaves no tree: it takes neither --method sturm nor --count-below";
+                return Err(Failure::Usage(text.into()));
+            }
+            let closed = conditioning_closed(model, &system.q, closures, &question);
+            let (result, allowed) = closed.map_err(|error| system.failure(error))?;
+            (result, system.loops_report(&allowed))
+        }
+    };
     let unit = question.metric.unit(dofs.iter().map(|&d| model.is_translation(d)));
     let report = SpectrumReport::new(system.subject(), &question.metric, unit, &result, system.dof_names());
     let count_below = match args.count_below {
         Some(sigma) => Some(count(system, &question, sigma)?),
         None => None,
     };
-    Ok(SpectrumReport { findings: system.findings(), count_below, ..report })
+    Ok(SpectrumReport { findings: system.findings(), count_below, loops, ..report })
 }
 
 fn count(system: &System, question: &Question, sigma: f64) -> Result<CountReport, Failure> {

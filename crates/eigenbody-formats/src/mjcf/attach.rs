@@ -85,6 +85,7 @@ fn of_model(
     let defaults = Defaults::read(&model.root, outer.document.files)?;
     let assets = Assets::read(&model.root, &defaults, outer.document.files)?;
     let mut reader = Reader::new(&document, &defaults, &settings, &assets);
+    reader.sites |= outer.sites;
     reader.read(false)?;
     match (body, frame) {
         (Some(name), _) => {

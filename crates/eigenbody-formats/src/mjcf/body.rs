@@ -70,6 +70,8 @@ pub(super) struct Body {
     pub joints: Vec<Joint>,
     pub inertial: Option<Inertial>,
     pub geoms: Vec<Geom>,
+    /// Sites that loops may be fastened to, by name, each from the body's frame to its own.
+    pub sites: Vec<(String, Transform<f64>)>,
     pub children: Vec<usize>,
     pub settings: Rc<Compiler>,
 }
@@ -184,6 +186,8 @@ impl Tree {
     ) {
         let geoms = part.body(from).geoms.iter().map(|g| Geom { pose: g.pose * place, ..*g });
         self.bodies[to].geoms.extend(geoms);
+        let sites = part.body(from).sites.iter().map(|(name, pose)| (rename.name(name), *pose * place));
+        self.bodies[to].sites.extend(sites);
         for &child in &part.body(from).children {
             self.copy_body(part, child, to, part.body(child).pose * place, rename);
         }
@@ -203,6 +207,7 @@ impl Tree {
             let mut copy = part.body(from).clone();
             let children = std::mem::take(&mut copy.children);
             copy.name = copy.name.as_deref().map(|name| rename.name(name));
+            copy.sites.iter_mut().for_each(|(name, _)| *name = rename.name(name));
             copy.joints.iter_mut().for_each(|joint| {
                 joint.name = joint.name.as_deref().map(|name| rename.name(name));
                 joint.called = joint.called.as_deref().map(|name| rename.called(name));
@@ -238,6 +243,7 @@ impl Body {
             joints: Vec::new(),
             inertial: None,
             geoms: Vec::new(),
+            sites: Vec::new(),
             children: Vec::new(),
             settings: Rc::clone(settings),
         }

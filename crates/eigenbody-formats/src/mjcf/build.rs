@@ -4,12 +4,14 @@
 //! joint's reference coordinate is turned (or shifted) out of its placement, so that q is MuJoCo's qpos.
 
 use super::body::{Body, Joint, Motion, Tree, WORLD};
+use super::closure::Frames;
 use super::coupling::Known;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mass::{self, Mass};
 use super::spring::JointSpring;
 use crate::write::quaternion;
 use crate::xml::{Element, Spot};
+use eigenbody::dynamics::Anchor;
 use eigenbody::model::{JointSpec, LinkId};
 use eigenbody::spatial::{Mat3, RigidInertia, Transform, Vec3};
 use eigenbody::{Base, Joint as Kind, ModelBuilder};
@@ -29,6 +31,8 @@ pub(super) struct Parts {
     pub known: HashMap<String, Vec<Known>>,
     /// Armature of the root's own free joint, which became the floating base.
     pub base_armature: f64,
+    /// Bodies and sites by name.
+    pub frames: Frames,
     /// Springs of joints, by the joint's position.
     pub springs: Vec<(usize, JointSpring)>,
     names: Names,
@@ -43,9 +47,9 @@ struct Names {
 
 /// Where a body's link is: its id, and its origin in the body's frame.
 #[derive(Clone, Copy)]
-struct Placed {
-    link: LinkId,
-    origin: Vec3<f64>,
+pub(super) struct Placed {
+    pub link: LinkId,
+    pub origin: Vec3<f64>,
 }
 
 /// The links and joints of a tree. `settled` is the mass that all bodies together are to have.
@@ -70,6 +74,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
         reference: Vec::new(),
         known: HashMap::new(),
         base_armature: 0.0,
+        frames: Frames::default(),
         springs: Vec::new(),
         names: Names::reserving(tree, &order),
     };
@@ -92,6 +97,14 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
             }
         };
         placed.insert(id, here);
+        parts.frames.bodies.insert(name, here);
+        for (site, pose) in &body.sites {
+            let pose = *pose * Transform::translation(-here.origin);
+            parts.frames.sites.insert(site.clone(), Anchor { link: Some(here.link.index()), pose });
+        }
+    }
+    for (site, pose) in &tree.bodies[WORLD].sites {
+        parts.frames.sites.insert(site.clone(), Anchor { link: None, pose: *pose });
     }
     Ok(parts)
 }

@@ -1,6 +1,7 @@
 //! What lies across the tree: joint equalities, loops, and armature of tendons and actuators.
 
 use super::attribute::{array, boolean, number, numbers};
+use super::closure::{self, Loop};
 use super::defaults::{Defaults, MAIN};
 use super::fault::Fault;
 use crate::loaded::Note;
@@ -49,6 +50,7 @@ pub(super) struct Couplings {
     pub follow: Vec<Follow>,
     /// Armature on each DoF of a joint.
     pub armature: Vec<(usize, f64)>,
+    pub loops: Vec<Loop>,
     pub notes: Vec<(Spot, Note)>,
 }
 
@@ -90,7 +92,10 @@ impl Couplings {
             return Ok(());
         }
         match element.tag.as_str() {
-            "connect" | "weld" => self.note(element, Note::Loop { element: element.described() }),
+            "connect" | "weld" => {
+                self.note(element, Note::Loop { element: element.described() });
+                self.loops.push(closure::read(element, sections.prefix)?);
+            }
             "joint" => {
                 let (first, second) =
                     (sections.joint(element.get("joint1")), sections.joint(element.get("joint2")));

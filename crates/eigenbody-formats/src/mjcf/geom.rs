@@ -134,7 +134,7 @@ fn size(geom: &Styled<'_>) -> Result<[f64; 3], Fault> {
 }
 
 /// The frame half-way between two points, z along them, and half their distance.
-fn between([a, b, c, d, e, f]: [f64; 6]) -> Option<(Transform<f64>, f64)> {
+pub(super) fn between([a, b, c, d, e, f]: [f64; 6]) -> Option<(Transform<f64>, f64)> {
     let (from, to) = (Vec3::new(a, b, c), Vec3::new(d, e, f));
     let along = from - to;
     let length = along.norm();

@@ -107,7 +107,9 @@ pub(super) fn align(body: &mut Body, mass: &mut Mass) {
     if joint.motion != Motion::Free || !body.children.is_empty() || !wanted {
         return;
     }
-    body.pose = mass.frame() * body.pose;
+    let frame = mass.frame();
+    body.sites.iter_mut().for_each(|(_, pose)| *pose = *pose * frame.inverse());
+    body.pose = frame * body.pose;
     mass.com = Vec3::ZERO;
     mass.axes.E = Mat3::IDENTITY;
 }

@@ -12,6 +12,7 @@ mod attach;
 mod attribute;
 mod body;
 mod build;
+mod closure;
 mod compiler;
 mod coupling;
 mod defaults;
@@ -38,10 +39,12 @@ use crate::xml::{Files, Spot};
 use asset::Assets;
 use attribute::{array, keyword};
 use build::{Parts, can_float, parts};
+use closure::Loop;
 use compiler::Compiler;
 use coupling::{Couplings, Sections};
 use defaults::Defaults;
 use document::{Document, Model as Source};
+use eigenbody::dynamics::Closure;
 use eigenbody::model::{MimicSpec, Place};
 use eigenbody::spatial::Vec3;
 use eigenbody::stability::Spring;
@@ -97,13 +100,15 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
             FormatError::Unsuitable { text: name.clone(), problem }
         }
     })?;
-    let Built { model, springs, stepping, notes, reference, link_spots, joint_spots } = built;
+    let Built { model, springs, stepping, notes, reference, link_spots, joint_spots, joint_names, closures } =
+        built;
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.0.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
+        joint_names,
     };
     let notes = notes.into_iter().map(|(at, note)| {
         let (file, at) = files.locate(at);
@@ -112,7 +117,7 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
     let kind = Kind::File(path.to_owned());
     let loaded = Loaded::new(model, name, kind, places);
     let (notes, stepping) = (notes.collect(), Some(stepping));
-    Ok(Loaded { notes, keyframes, springs, stepping, mimic: false, ..loaded })
+    Ok(Loaded { notes, keyframes, closures, springs, stepping, mimic: false, ..loaded })
 }
 
 /// A fault with its place as text.
@@ -140,6 +145,8 @@ struct Built {
     reference: Vec<f64>,
     link_spots: Vec<Spot>,
     joint_spots: Vec<Spot>,
+    joint_names: Vec<String>,
+    closures: Vec<Result<Closure, String>>,
 }
 
 fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> Result<Built, Problem> {
@@ -174,7 +181,7 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
         let defaults = Defaults::read(&model.root, files)?;
         add(&Sections { root: &model.root, defaults: &defaults, prefix, joints: &parts.known })?;
     }
-    let Couplings { follow, armature, mut notes } = couplings;
+    let Couplings { follow, armature, loops, mut notes } = couplings;
     notes.append(&mut springs.notes);
     for (joint, extra) in armature {
         let spec = &mut parts.joints[joint];
@@ -187,7 +194,7 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
             Some(MimicSpec { joint: leader, multiplier: f.multiplier, offset: f.offset });
     }
     let specs = parts.joints.clone();
-    let built = finish(parts, notes, root.at, options.base, files)?;
+    let built = finish(parts, notes, &loops, root.at, options.base, files)?;
     let settings = Options::read(root)?;
     let springs = settings.applied(springs.resolve(&built.model, &specs, &built.reference));
     Ok(Built { springs, stepping: settings.stepping, ..built })
@@ -197,12 +204,22 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
 fn finish(
     parts: Parts,
     notes: Vec<(Spot, Note)>,
+    loops: &[Loop],
     root: Spot,
     base: Base,
     files: &Files,
 ) -> Result<Built, Problem> {
-    let Parts { mut builder, joints, link_names, link_spots, joint_spots, reference, base_armature, .. } =
-        parts;
+    let Parts {
+        mut builder,
+        joints,
+        link_names,
+        link_spots,
+        joint_spots,
+        reference,
+        base_armature,
+        frames,
+        ..
+    } = parts;
     let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
     joints.into_iter().for_each(|joint| {
         builder.joint(joint);
@@ -231,8 +248,10 @@ fn finish(
         // One number a DoF, none negative: it cannot be refused.
         model = model.clone().with_armature(armature).unwrap_or(model);
     }
+    let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
+    let closures = loops.iter().map(close).collect();
     let (springs, stepping) = (Vec::new(), Stepping::default());
-    Ok(Built { model, springs, stepping, notes, reference, link_spots, joint_spots })
+    Ok(Built { model, springs, stepping, notes, reference, link_spots, joint_spots, joint_names, closures })
 }
 
 /// What `<option>` says of gravity, if anything.

@@ -8,7 +8,7 @@ use super::defaults::{Class, Defaults, MAIN};
 use super::document::{Document, Model};
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::geom::{self, Shapes};
-use super::orientation::{euler, pose};
+use super::orientation::{euler, pose, rotation};
 use super::{attach, joint};
 use crate::xml::Element;
 use eigenbody::spatial::{Mat3, Sym3, Transform, Vec3};
@@ -52,6 +52,8 @@ pub(super) struct Reader<'a> {
     pub attached: Vec<(&'a Model, String)>,
     /// How many attachments there were.
     pub attachments: usize,
+    /// Whether sites are read: loops are fastened to some.
+    pub sites: bool,
     geoms: usize,
 }
 
@@ -65,7 +67,9 @@ impl<'a> Reader<'a> {
     ) -> Self {
         let tree = Tree::new(document.root.at, settings);
         let (frames, attached) = (Vec::new(), Vec::new());
-        Self { document, defaults, settings, assets, tree, frames, attached, attachments: 0, geoms: 0 }
+        let equalities = document.root.children_named("equality").flat_map(|section| &section.children);
+        let sites = equalities.into_iter().any(|element| element.get("site1").is_some());
+        Self { document, defaults, settings, assets, tree, frames, attached, attachments: 0, sites, geoms: 0 }
     }
 
     /// Reads them all.
@@ -123,7 +127,8 @@ impl<'a> Reader<'a> {
             }
             "geom" => self.geom(element, at),
             "flexcomp" | "composite" => Err(unsupported(element, "it generates bodies")),
-            // Sites, cameras, lights and plugins carry neither mass nor joints.
+            "site" if self.sites => self.site(element, at),
+            // Cameras, lights and plugins carry neither mass nor joints.
             _ => Ok(()),
         }
     }
@@ -176,6 +181,23 @@ impl<'a> Reader<'a> {
             true => Err(fault(element.at, MjcfFault::TooManyGeoms { limit: MAX_GEOMS })),
             false => Ok(()),
         }
+    }
+
+    /// `<site>`: a frame that a loop may be fastened to.
+    fn site(&mut self, element: &'a Element, at: Context) -> Result<(), Fault> {
+        let Some(name) = element.get("name") else { return Ok(()) };
+        let styled = self.defaults.styled(element, at.class)?;
+        let fromto: Option<[f64; 6]> = array(styled.find("fromto"), "site")?;
+        let pose = match fromto.and_then(geom::between) {
+            Some((pose, _)) => pose,
+            None => {
+                let r = Vec3::from_f64(array(styled.find("pos"), "site")?.unwrap_or_default());
+                let E = rotation(styled.layers(), self.settings)?.unwrap_or(Mat3::IDENTITY);
+                Transform::new(E, r)
+            }
+        };
+        self.tree.bodies[at.body].sites.push((name.to_owned(), pose * at.frame));
+        Ok(())
     }
 
     /// `<replicate>`: its contents `count` times, each displaced and turned against the one before.

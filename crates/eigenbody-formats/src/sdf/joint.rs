@@ -4,6 +4,7 @@ use super::fault::{Fault, SdfFault, array, boolean_in, child, fault, number_in, 
 use super::scope::Scopes;
 use crate::xml::Element;
 use eigenbody::Joint;
+use eigenbody::dynamics::Tie;
 use eigenbody::model::MimicSpec;
 use eigenbody::spatial::{Mat3, Vec3};
 
@@ -16,6 +17,21 @@ pub(super) struct Motion {
     pub axis: Vec3<f64>,
     pub limits: Option<(f64, f64)>,
     pub mimic: Option<MimicSpec<f64>>,
+}
+
+impl Motion {
+    /// What the joint leaves its links, if it closes a loop.
+    pub fn tie(&self) -> Tie {
+        let unit = |axis: Vec3<f64>| axis * (1.0 / axis.norm());
+        match self.kind {
+            Joint::Fixed => Tie::Weld,
+            Joint::Prismatic => Tie::Slide(unit(self.axis)),
+            Joint::Universal { first } => Tie::Universal { first: unit(first), second: unit(self.axis) },
+            Joint::Revolute | Joint::Continuous => Tie::Hinge(unit(self.axis)),
+            // The only other kind that is read.
+            _ => Tie::Ball,
+        }
+    }
 }
 
 /// A joint's motion; `E` turns world coordinates into those of the joint's frame.

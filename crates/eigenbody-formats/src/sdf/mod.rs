@@ -22,6 +22,7 @@ use crate::error::FormatError;
 use crate::loaded::{Kind as Source, Loaded, Note, Places};
 use crate::xml::{Files, Spot, XmlFault};
 use eigenbody::Base;
+use eigenbody::dynamics::{Closure, Tie};
 use fault::Fault;
 use include::Splicer;
 use parts::{Built, Parts};
@@ -79,18 +80,33 @@ fn read_text(text: String, path: &Path, options: &SdfOptions) -> Result<Loaded, 
         let problem = "a floating base needs exactly one link that no joint carries".to_owned();
         return Err(FormatError::Unsuitable { text: file_name, problem });
     }
-    let Built { model, link_spots, joint_spots, cut } =
+    let Built { model, link_spots, joint_spots, joint_names, cut } =
         parts.build(options.base).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.0.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
+        joint_names,
     };
-    let note = |(at, element): (Spot, String)| {
-        let (file, at) = files.locate(at);
-        (file.to_owned(), at, Note::Loop { element })
+    let note = |(at, closure): &(Spot, Closure)| {
+        let (file, at) = files.locate(*at);
+        (file.to_owned(), at, Note::Loop { element: closure.name.clone() })
     };
-    let notes = cut.into_iter().map(note).collect();
+    let notes = cut.iter().map(note).collect();
+    let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
-    Ok(Loaded { notes, ..Loaded::new(model, file_name, kind, places) })
+    Ok(Loaded { notes, closures, ..Loaded::new(model, file_name, kind, places) })
+}
+
+/// A closure, unless its joint has an axis without a direction.
+fn has_axes(closure: Closure) -> Result<Closure, String> {
+    let axes = match closure.tie {
+        Tie::Weld | Tie::Ball => vec![],
+        Tie::Hinge(axis) | Tie::Slide(axis) => vec![axis],
+        Tie::Universal { first, second } => vec![first, second],
+    };
+    match axes.iter().all(|axis| axis.norm().is_finite()) {
+        true => Ok(closure),
+        false => Err(closure.name),
+    }
 }

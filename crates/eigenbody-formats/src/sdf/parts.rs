@@ -4,6 +4,7 @@ use super::fault::{Fault, SdfFault, array, boolean_in, child, fault, name, requi
 use super::scope::{Kind, Scopes, WORLD};
 use super::{joint, link, pose};
 use crate::xml::{Element, Files, Spot};
+use eigenbody::dynamics::{Anchor, Closure};
 use eigenbody::model::{JointSpec, LinkId, Place};
 use eigenbody::spatial::{RigidInertia, Transform, Vec3};
 use eigenbody::{Base, Joint, Model, ModelBuilder};
@@ -19,7 +20,8 @@ pub(super) struct Parts<'a> {
     joints: Vec<(usize, Option<usize>, usize)>,
     /// Links of static models, which the world carries.
     fixed: Vec<usize>,
-    cut: Vec<(Spot, String)>,
+    /// As `joints`, of those that close loops.
+    cut: Vec<(usize, Option<usize>, usize)>,
     axes_in_model: bool,
 }
 
@@ -28,8 +30,9 @@ pub(super) struct Built {
     pub model: Model<f64>,
     pub link_spots: Vec<Spot>,
     pub joint_spots: Vec<Spot>,
-    /// Joints that close loops.
-    pub cut: Vec<(Spot, String)>,
+    pub joint_names: Vec<String>,
+    /// Joints that close loops, with their places.
+    pub cut: Vec<(Spot, Closure)>,
 }
 
 impl<'a> Parts<'a> {
@@ -152,7 +155,7 @@ impl<'a> Parts<'a> {
             };
             let (a, b) = (find(&group, parent.unwrap_or(WORLD)), find(&group, child));
             if carried[child] || a == b {
-                self.cut.push((element.at, format!("joint '{}'", frame.name)));
+                self.cut.push((joint, parent, child));
                 continue;
             }
             carried[child] = true;
@@ -231,6 +234,7 @@ impl<'a> Parts<'a> {
             };
             specs.push((spec, frame.at));
         }
+        let joint_names = specs.iter().map(|(spec, _)| spec.name.clone()).collect();
         for (spec, at) in specs {
             builder.joint(spec);
             joint_spots.push(at);
@@ -244,6 +248,21 @@ impl<'a> Parts<'a> {
             };
             fault(at.copied().unwrap_or(root), SdfFault::Build(error))
         })?;
-        Ok(Built { model, link_spots, joint_spots, cut: self.cut })
+        let mut cut = Vec::new();
+        for &(joint, parent, child) in &self.cut {
+            let frame = &self.scopes.frames[joint];
+            let Some(element) = frame.element else { continue };
+            let at = self.scopes.pose(joint)?;
+            let motion =
+                joint::read(element, &frame.name, &frame.scope, &self.scopes, &at.E, self.axes_in_model)?;
+            let anchor = |link: Option<usize>| match link {
+                Some(link) => Anchor { link: Some(ids[&link].index()), pose: at * frames[&link].inverse() },
+                None => Anchor { link: None, pose: at },
+            };
+            let anchors = [anchor(parent), anchor(Some(child))];
+            let name = format!("joint '{}'", frame.name);
+            cut.push((frame.at, Closure { name, tie: motion.tie(), anchors }));
+        }
+        Ok(Built { model, link_spots, joint_spots, joint_names, cut })
     }
 }

@@ -76,7 +76,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         Ok(name) => (name.to_owned(), Vec::new()),
         Err(_) => (stem(), vec![(file_name.to_owned(), robot.location(), Note::NoName)]),
     };
-    let (model, offsets) = model(robot, &robot_name, options.base)
+    let (model, mut offsets) = model(robot, &robot_name, options.base)
         .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
     let located =
         |offsets: &[usize]| Location::all(text.as_bytes(), offsets).into_iter().map(|at| (0, at)).collect();
@@ -84,6 +84,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         files: vec![file_name.to_owned()],
         links: located(&offsets.links),
         joints: located(&offsets.joints),
+        joint_names: std::mem::take(&mut offsets.joint_names),
     };
     let rotors = rotor::rotors(robot)
         .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
@@ -108,6 +109,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
 struct Offsets {
     links: Vec<usize>,
     joints: Vec<usize>,
+    joint_names: Vec<String>,
     notes: Vec<(usize, Note)>,
 }
 
@@ -135,6 +137,7 @@ fn model(robot: Element<'_, '_>, name: &str, base: Base) -> Result<(Model<f64>, 
             let joint = spec.name.clone();
             offsets.notes.push((element.offset(), Note::CrossedLimits { joint, lower, upper }));
         }
+        offsets.joint_names.push(spec.name.clone());
         builder.joint(spec);
         offsets.joints.push(element.offset());
     }

@@ -48,7 +48,7 @@ fn findings_point_at_the_element() {
     assert_snapshot!(loaded(text).findings().join("\n"), @"
     test.xml:4:5: warning: inertia of link 'c' is not physical: principal moments 1.000e0 + 1.000e0 < 3.000e0 kg m²
     test.xml:3:54: warning: moving link 'b' has no mass
-    test.xml:6:13: warning: <weld> closes a loop: H is that of the tree without it
+    test.xml:6:13: warning: <weld> closes a loop: H is that of the tree without it; --loops closed is with it
     test.xml:6:40: warning: <joint> is an equality that --mimic on does not apply
     test.xml:7:11: warning: fixed 't' has armature that couples several joints: H is without it
     ");

@@ -1,11 +1,14 @@
 //! What is wrong with a robot, for people and for programs.
 
 mod advice;
+mod baseline;
+mod sarif;
 mod stepping;
 mod text;
 mod words;
 
 pub use advice::{AddedReport, AdviceReport, advice_text};
+pub use baseline::{Baseline, Change, Comparison, Fixed, State};
 pub use stepping::SteppingReport;
 pub use text::diagnosis_text;
 
@@ -21,6 +24,8 @@ use words::{advice, message, severity};
 pub struct DiagnosisReport {
     /// The model as it was asked for.
     pub model: String,
+    /// Its file, if it has one.
+    pub file: Option<String>,
     /// Number of degrees of freedom.
     pub dofs: usize,
     /// Configurations evaluated.
@@ -39,6 +44,11 @@ pub struct DiagnosisReport {
     pub findings: Vec<FindingReport>,
     /// What is suspicious about the model itself.
     pub model_findings: Vec<String>,
+    /// The same in parts.
+    pub remarks: Vec<RemarkReport>,
+    /// What became of an earlier report, where one was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub comparison: Option<Comparison>,
     /// What to add, where something was wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub advice: Option<AdviceReport>,
@@ -160,6 +170,40 @@ pub struct LossReport {
     pub f64: Option<f64>,
 }
 
+/// A place in a file, line and column counted from 1.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlaceReport {
+    /// The file.
+    pub file: String,
+    /// Line.
+    pub line: u32,
+    /// Column, in characters.
+    pub column: u32,
+}
+
+/// Something suspicious about the model.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RemarkReport {
+    /// A stable name of its kind.
+    pub code: &'static str,
+    /// The link, joint or element.
+    pub subject: String,
+    /// The same in every report: code and subject.
+    pub identity: String,
+    /// One sentence.
+    pub message: String,
+    /// Where.
+    pub place: Option<PlaceReport>,
+}
+
+impl RemarkReport {
+    /// A remark of a reader.
+    pub fn new(code: &'static str, subject: String, message: String, place: Option<PlaceReport>) -> Self {
+        let identity = baseline::identity(code, std::slice::from_ref(&subject));
+        Self { code, subject, identity, message, place }
+    }
+}
+
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FindingReport {
@@ -179,6 +223,10 @@ pub struct FindingReport {
     pub limit: f64,
     /// Where; empty for everywhere.
     pub q: Vec<f64>,
+    /// The same in every report: id and joints.
+    pub identity: String,
+    /// Where the first of the joints stands in its file.
+    pub place: Option<PlaceReport>,
 }
 
 fn finite(x: f64) -> Option<f64> {
@@ -240,6 +288,7 @@ impl DiagnosisReport {
         };
         Self {
             model: model.into(),
+            file: None,
             dofs: found.dofs.len(),
             evaluations: found.evaluations,
             worst: found.worst.iter().map(WorstReport::from).collect(),
@@ -264,6 +313,8 @@ impl DiagnosisReport {
             stepping: found.stepping.as_ref().map(SteppingReport::from),
             findings: found.findings.iter().map(|finding| report(finding, found)).collect(),
             model_findings,
+            remarks: Vec::new(),
+            comparison: None,
             advice: None,
         }
     }
@@ -271,6 +322,24 @@ impl DiagnosisReport {
     /// The same with advice.
     pub fn with_advice(self, advice: Option<&(Goal, Remedies)>) -> Self {
         Self { advice: advice.map(|(goal, found)| AdviceReport::new(*goal, found)), ..self }
+    }
+
+    /// The same with the model's file, the places of joints in it, and what is suspicious about it.
+    pub fn located(
+        mut self,
+        file: Option<String>,
+        place: impl Fn(&str) -> Option<PlaceReport>,
+        remarks: Vec<RemarkReport>,
+    ) -> Self {
+        for finding in &mut self.findings {
+            finding.place = finding.joints.iter().find_map(|joint| place(joint));
+        }
+        Self { file, remarks, ..self }
+    }
+
+    /// The same against an earlier report.
+    pub fn against(self, file: &str, baseline: &Baseline) -> Self {
+        Self { comparison: Some(baseline.compare(file, &self)), ..self }
     }
 
     /// As JSON, floats that parse back to the same bits.
@@ -291,5 +360,7 @@ fn report(finding: &Finding, found: &Diagnosis) -> FindingReport {
         value: finite(finding.value),
         limit: finding.limit,
         q: finding.at.clone(),
+        identity: baseline::identity(finding.id, &finding.joints),
+        place: None,
     }
 }

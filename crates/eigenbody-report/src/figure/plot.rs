@@ -57,6 +57,11 @@ fn width(text: &str) -> f64 {
 impl Plot {
     /// The figure as SVG. Panels that stand alone in their rows have legends at their sides, others on top.
     pub fn svg(&self, title: &str) -> String {
+        self.scene().finish(title)
+    }
+
+    /// The same, not yet written.
+    pub fn scene(&self) -> Scene {
         let columns = self.columns.max(1);
         let rows = self.panels.len().div_ceil(columns);
         let height = match (rows, columns) {
@@ -70,7 +75,7 @@ impl Plot {
             let corner = ((k % columns) as f64 * cell.0, (k / columns) as f64 * cell.1);
             panel.draw(&mut scene, corner, cell, columns == 1);
         }
-        scene.finish(title)
+        scene
     }
 }
 

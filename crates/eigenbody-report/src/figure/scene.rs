@@ -1,6 +1,6 @@
 //! A drawing as it is made: lines, markers and words, written as SVG.
 
-use super::style::{INK, Marker, Style};
+use super::style::{INK, Marker, Style, themed};
 use std::fmt::Write;
 
 /// Where a word stands against its point.
@@ -84,6 +84,18 @@ impl Scene {
         );
     }
 
+    /// A filled rectangle without an edge.
+    pub fn fill(&mut self, (x, y): (f64, f64), width: f64, height: f64, colour: &str) {
+        let _ = writeln!(
+            self.body,
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{colour}\"/>",
+            px(x),
+            px(y),
+            px(width),
+            px(height)
+        );
+    }
+
     /// A rectangle without filling.
     pub fn frame(&mut self, (x, y): (f64, f64), width: f64, height: f64) {
         let _ = writeln!(
@@ -158,6 +170,23 @@ impl Scene {
             }
             Marker::None => {}
         }
+    }
+
+    /// The drawing as a part of an HTML page: without a background, colours by the page's custom properties (see [`themed`]), `about` for
+    /// readers that do not see.
+    ///
+    /// [`themed`]: super::style::themed
+    pub fn inline(&self, title: &str, about: &str) -> String {
+        let Self { width, height, body } = self;
+        let quoted = |text: &str| escape(text).replace('"', "&quot;");
+        format!(
+            "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" fill=\"var(--ink)\">\n<title>{}</title>\n{}</svg>\n",
+            px(*width),
+            px(*height),
+            quoted(about),
+            escape(title),
+            themed(body)
+        )
     }
 
     /// The SVG, on white.

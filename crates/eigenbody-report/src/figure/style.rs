@@ -5,6 +5,36 @@ pub(super) const INK: &str = "#1a1a1a";
 /// Colour of grid lines.
 pub(super) const FAINT: &str = "#dddddd";
 
+/// Colour of the paper.
+pub(super) const PAPER: &str = "#ffffff";
+
+/// What a page calls each colour of a figure, so that it can be another one in the dark.
+const NAMES: [(&str, &str); 10] = [
+    (INK, "ink"),
+    (FAINT, "faint"),
+    (PAPER, "paper"),
+    ("#000000", "ink"),
+    ("#d55e00", "vermilion"),
+    ("#0072b2", "blue"),
+    ("#009e73", "green"),
+    ("#e69f00", "orange"),
+    ("#cc79a7", "purple"),
+    ("#56b4e9", "sky"),
+];
+
+/// The elements of a figure with colours by name: `fill="#0072b2"` becomes `fill="var(--blue)"`. Other colours stay, such as those of
+/// a scale.
+pub(super) fn themed(body: &str) -> String {
+    let mut text = body.to_owned();
+    for (colour, name) in NAMES {
+        for attribute in ["fill", "stroke"] {
+            text = text
+                .replace(&format!(" {attribute}=\"{colour}\""), &format!(" {attribute}=\"var(--{name})\""));
+        }
+    }
+    text
+}
+
 /// The mark at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marker {

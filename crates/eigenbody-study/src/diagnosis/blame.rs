@@ -104,7 +104,7 @@ pub(super) fn blame(
 }
 
 /// The softest mode; where λmin is not resolved, the null motion of the matrix.
-fn softest(
+pub(crate) fn softest(
     model: &Model<f64>,
     reduction: Reduction,
     q: &[f64],

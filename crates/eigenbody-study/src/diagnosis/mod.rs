@@ -19,6 +19,7 @@ mod sensitivity;
 mod stepping;
 
 pub use advise::{Added, Advice, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies};
+pub(crate) use blame::softest;
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
 pub use finding::{Finding, Limits, Severity, Use};

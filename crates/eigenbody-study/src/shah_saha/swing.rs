@@ -5,7 +5,7 @@ use crate::claim::{Check, Reading};
 use crate::estimators::{Estimates, correlation, estimates, median};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::simulate::{DORMAND_PRINCE, Schedule, State, Steps, simulate};
+use crate::simulate::{DORMAND_PRINCE, Method, Schedule, State, Steps, simulate};
 use crate::table::Table;
 use eigenbody::spectrum::eigenvalues;
 use eigenbody::{Matrix, Model, mass_matrix};
@@ -17,8 +17,12 @@ const TOLERANCE: f64 = 1e-9;
 /// The motion from rest at q = 0, sampled every 20 ms.
 pub(super) fn released(model: &Model<f64>, lab: &Lab<'_>) -> Result<Vec<State>, StudyError> {
     let (intervals, tolerance) = if lab.quick { (200, 1e-7) } else { (500, TOLERANCE) };
-    let schedule =
-        Schedule { method: DORMAND_PRINCE, steps: Steps::Adaptive(tolerance), span_s: SPAN_S, intervals };
+    let schedule = Schedule {
+        method: Method::RungeKutta(DORMAND_PRINCE),
+        steps: Steps::Adaptive(tolerance),
+        span_s: SPAN_S,
+        intervals,
+    };
     Ok(simulate(model, &vec![0.0; model.nq()], &vec![0.0; model.nv()], &schedule)?)
 }
 

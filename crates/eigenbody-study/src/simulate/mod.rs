@@ -1,38 +1,82 @@
-//! Motion under gravity: explicit Runge-Kutta methods on q̇ = v, v̇ = H⁻¹(−C).
+//! Motion on the configuration manifold: forces in, positions and velocities out.
 //!
 //! ```text
-//! k_s = f(y + h Σ_{j<s} a_sj k_j)      y⁺ = y + h Σ b_s k_s      error = h Σ (b_s − b̂_s) k_s
-//! adaptive: accept if the error is within the tolerance; h ← 0.9 h (tolerance/error)^(1/order)
+//! q̇ = v along every joint's own manifold      v̇ = H⁻¹(q) (τ − C(q, v))
 //! ```
-//! Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4. Accelerations by the articulated-body
-//! algorithm: O(N) a stage.
+//! | method | steps | order | for |
+//! |--------|-------|-------|-----|
+//! | semi-implicit Euler | fixed | 1 | what physics engines do |
+//! | Runge-Kutta 4 | fixed | 4 | short motions, smooth forces |
+//! | Dormand-Prince 5(4) | chosen by its own error estimate | 5 | accuracy |
+//! | implicit midpoint | fixed | 2 | long motions: symplectic, keeps momenta |
+//!
+//! Steps of balls, planar joints and floating bases are taken in the coordinates θ of q = q₀ ⊕ θ, so that every method keeps its order on
+//! them. Adaptive steps: accepted if the error is within the tolerance; h ← 0.9 h (tolerance/error)^(1/order): Hairer, Nørsett & Wanner,
+//! *Solving Ordinary Differential Equations I* (1993), §II.4.
 
+mod acceleration;
+mod error;
+mod event;
+mod explicit;
+mod flow;
+mod force;
+mod midpoint;
 mod tableau;
+mod trajectory;
 
+pub use acceleration::Algorithm;
+pub use error::SimulationError;
+pub use event::{Event, Watch, joint_limits};
+pub use force::{Controller, Forces, joint_springs};
 pub use tableau::{DORMAND_PRINCE, RK4, Tableau};
+pub use trajectory::Trajectory;
 
-use eigenbody::dynamics::{AbaWorkspace, forward_dynamics_into};
-use eigenbody::{Joint, Model};
-use thiserror::Error;
+use eigenbody::Model;
+use explicit::Explicit;
+use flow::Flow;
+use midpoint::Midpoint;
+use std::ops::ControlFlow;
 
-/// More steps than any motion here has needed; a guard, not a budget.
-const MAX_STEPS: usize = 10_000_000;
+/// A step below this part of the span is no progress.
+const SMALLEST: f64 = 1e-14;
+
+/// How a step is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// v ← v + h v̇, then q ← q ⊕ h v.
+    SemiImplicitEuler,
+    /// An explicit Runge-Kutta method.
+    RungeKutta(Tableau),
+    /// The implicit midpoint rule in positions and momenta.
+    ImplicitMidpoint,
+}
+
+impl Method {
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::SemiImplicitEuler => "semi-implicit Euler",
+            Self::RungeKutta(tableau) => tableau.name,
+            Self::ImplicitMidpoint => "implicit midpoint",
+        }
+    }
+}
 
 /// How steps are chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Steps {
-    /// All of one length (s).
+    /// All of one length (s); shortened a little where samples then fall on their ends.
     Fixed(f64),
-    /// So that the estimated error of a step stays below this, absolute and relative; for methods that have an estimate.
+    /// So that the estimated error of a step stays below this: in rad and m, and in units of max(1, |v|); for methods that have an estimate.
     Adaptive(f64),
 }
 
 /// How to simulate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Schedule {
     /// The method.
-    pub method: Tableau,
-    /// Its steps. They are cut to end on every sample.
+    pub method: Method,
+    /// Its steps.
     pub steps: Steps,
     /// Length of the motion (s).
     pub span_s: f64,
@@ -51,46 +95,330 @@ pub struct State {
     pub v: Vec<f64>,
 }
 
-/// Why a motion ends before its time.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum SimulationError {
-    /// A joint whose coordinates do not change at the rate v.
-    #[error("joint '{0}' has q̇ ≠ v: ball, planar and floating joints are not simulated")]
-    Joint(String),
-    /// A step, tolerance or span that is not positive, or an adaptive method without an error estimate.
-    #[error("{0}")]
-    Schedule(&'static str),
-    /// The dynamics failed.
-    #[error("at t = {t} s: {source}")]
-    Dynamics {
-        /// Time of the stage.
-        t: f64,
-        /// What the core says.
-        source: eigenbody::Error,
-    },
-    /// The steps became too small or too many.
-    #[error("no progress at t = {0} s: the tolerance asks for steps too small")]
-    Stuck(f64),
+/// What a simulation did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Effort {
+    /// Steps that were taken.
+    pub steps: u64,
+    /// Steps that were refused.
+    pub refused: u64,
+    /// Accelerations that were computed; for the implicit midpoint rule, rounds of its iteration.
+    pub evaluations: u64,
 }
 
-/// The motion of a mechanism without actuators, sampled at equal intervals, the start included.
+/// What is reported on the way.
+#[derive(Debug)]
+pub enum Report<'a> {
+    /// The state at a sampling time.
+    Sample(&'a State),
+    /// A watched function has changed its sign.
+    Event(Event),
+}
+
+/// A motion as it is computed, step by step.
+///
+/// ```
+/// use eigenbody::Family;
+/// use eigenbody_study::simulate::{Algorithm, Forces, Method, RK4, Simulation, Steps};
+/// let rod = Family::slender_chain(1, 1.0, 1.0)?.model::<f64>()?;
+/// let mut simulation =
+///     Simulation::new(&rod, &[0.0], &[0.0], Method::RungeKutta(RK4), Steps::Fixed(0.01), Forces::default(), Algorithm::Aba)?;
+/// simulation.step(1.0)?;
+/// assert_eq!(simulation.state().t, 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Simulation<'m> {
+    flow: Flow<'m>,
+    stepper: Stepper,
+    /// None for fixed steps.
+    tolerance: Option<f64>,
+    /// Length of the next step, as far as is known.
+    h: f64,
+    start: State,
+    now: State,
+    /// θ at the end of the step.
+    theta: Vec<f64>,
+    effort: Effort,
+}
+
+#[derive(Debug)]
+enum Stepper {
+    Euler { vdot: Vec<f64> },
+    Explicit(Box<Explicit>),
+    Midpoint(Box<Midpoint>),
+}
+
+impl<'m> Simulation<'m> {
+    /// At rest in time, at (q, v).
+    ///
+    /// Errors: [`SimulationError::Input`] if q, v or a force does not fit the model, [`SimulationError::Schedule`] for steps that the method
+    /// cannot have, or mimic joints with the implicit midpoint rule.
+    pub fn new(
+        model: &'m Model<f64>,
+        q: &[f64],
+        v: &[f64],
+        method: Method,
+        steps: Steps,
+        forces: Forces,
+        algorithm: Algorithm,
+    ) -> Result<Self, SimulationError> {
+        model.check_q(q)?;
+        model.check_v("v", v)?;
+        let (h, tolerance) = match steps {
+            Steps::Fixed(h) => (h, None),
+            Steps::Adaptive(tolerance) => (1e-3, Some(tolerance)),
+        };
+        let is_positive = |x: f64| x > 0.0 && x.is_finite();
+        if !is_positive(h) || tolerance.is_some_and(|tolerance| !is_positive(tolerance)) {
+            return Err(SimulationError::Schedule("step and tolerance are positive numbers"));
+        }
+        let stepper = match method {
+            Method::SemiImplicitEuler => Stepper::Euler { vdot: vec![0.0; model.nv()] },
+            Method::RungeKutta(tableau) => {
+                Stepper::Explicit(Box::new(Explicit::new(tableau, model.nq(), model.nv())))
+            }
+            Method::ImplicitMidpoint => Stepper::Midpoint(Box::new(Midpoint::new(model))),
+        };
+        let has_estimate = matches!(method, Method::RungeKutta(Tableau { error: Some(_), .. }));
+        if tolerance.is_some() && !has_estimate {
+            return Err(SimulationError::Schedule("this method has no error estimate: its steps are fixed"));
+        }
+        if method == Method::ImplicitMidpoint && algorithm != Algorithm::Aba {
+            return Err(SimulationError::Schedule(
+                "the implicit midpoint rule takes articulated bodies only",
+            ));
+        }
+        let now = State { t: 0.0, q: q.to_vec(), v: v.to_vec() };
+        Ok(Self {
+            flow: Flow::new(model, forces, algorithm)?,
+            stepper,
+            tolerance,
+            h,
+            start: now.clone(),
+            now,
+            theta: vec![0.0; model.nv()],
+            effort: Effort::default(),
+        })
+    }
+
+    /// The state that was reached.
+    pub fn state(&self) -> &State {
+        &self.now
+    }
+
+    /// Start and end of the last step (s).
+    pub fn last_step(&self) -> (f64, f64) {
+        (self.start.t, self.now.t)
+    }
+
+    /// What was done so far.
+    pub fn effort(&self) -> Effort {
+        Effort { evaluations: self.flow.evaluations, ..self.effort }
+    }
+
+    /// One step, not beyond `limit` (s).
+    ///
+    /// Errors: [`SimulationError`]; the state is then the one before the step.
+    pub fn step(&mut self, limit: f64) -> Result<(), SimulationError> {
+        let t = self.now.t;
+        loop {
+            // A remainder that rounding leaves is no step of its own.
+            let is_last = t + self.h * (1.0 + 1e-9) >= limit;
+            let h = if is_last { limit - t } else { self.h };
+            let error = self.attempt(t, h)?;
+            if let (Some(tolerance), Some((error, dof))) = (self.tolerance, error) {
+                let size = error / tolerance;
+                let order = f64::from(self.order());
+                let growth = (0.9 * size.max(1e-10).powf(-1.0 / order)).clamp(0.2, 5.0);
+                let proposed = h * if size.is_nan() { 0.2 } else { growth };
+                // A step that was cut says nothing against longer ones.
+                self.h = if size <= 1.0 && is_last { self.h.max(proposed) } else { proposed };
+                if !(size <= 1.0) {
+                    self.effort.refused += 1;
+                    if self.h < SMALLEST * limit.abs() {
+                        let joint = self.flow.model.dof_name(dof);
+                        return Err(SimulationError::Stuck { t, joint, step_s: self.h });
+                    }
+                    continue;
+                }
+            }
+            self.accept(if is_last { limit } else { t + h }, h);
+            return Ok(());
+        }
+    }
+
+    fn order(&self) -> u32 {
+        match &self.stepper {
+            Stepper::Euler { .. } => 1,
+            Stepper::Explicit(explicit) => explicit.order(),
+            Stepper::Midpoint(_) => 2,
+        }
+    }
+
+    /// Error of the attempt, where there is an estimate, and the DoF that has most of it.
+    fn attempt(&mut self, t: f64, h: f64) -> Result<Option<(f64, usize)>, SimulationError> {
+        let Self { flow, stepper, now: State { q, v, .. }, .. } = self;
+        match stepper {
+            Stepper::Euler { vdot } => {
+                flow.check(t, v, h)?;
+                flow.accelerate(t, q, v, vdot)?;
+                Ok(None)
+            }
+            Stepper::Explicit(explicit) => match explicit.attempt(flow, t, (q, v), h) {
+                Ok(()) => Ok(explicit.error(h, v)),
+                // A stage may go astray where a shorter step does not.
+                Err(SimulationError::BlownUp { .. }) if self.tolerance.is_some() => Ok(Some((f64::NAN, 0))),
+                Err(error) => Err(error),
+            },
+            Stepper::Midpoint(midpoint) => midpoint.attempt(flow, t, (q, v), h).map(|()| None),
+        }
+    }
+
+    fn accept(&mut self, t: f64, h: f64) {
+        std::mem::swap(&mut self.start, &mut self.now);
+        let Self { flow, stepper, start, now, theta, .. } = self;
+        match stepper {
+            Stepper::Euler { vdot } => {
+                for d in 0..theta.len() {
+                    now.v[d] = start.v[d] + h * vdot[d];
+                    theta[d] = h * now.v[d];
+                }
+            }
+            Stepper::Explicit(explicit) => {
+                explicit.end(h, &start.v, theta, &mut now.v);
+                explicit.accept();
+            }
+            Stepper::Midpoint(midpoint) => {
+                now.v.copy_from_slice(&midpoint.v1);
+                theta.iter_mut().zip(midpoint.xi()).for_each(|(theta, xi)| *theta = h * xi);
+            }
+        }
+        flow.model.integrate_into(&start.q, theta, &mut now.q);
+        unit_quaternions(flow.model, &mut now.q);
+        now.t = t;
+        self.effort.steps += 1;
+    }
+
+    /// The state within the last step: by the method's own interpolant, or along its constant velocity.
+    pub fn at(&self, t: f64, out: &mut State) {
+        let Self { flow, stepper, start, now, theta, .. } = self;
+        let h = now.t - start.t;
+        let s = if h > 0.0 { (t - start.t) / h } else { 1.0 };
+        out.t = t;
+        if s >= 1.0 {
+            out.q.copy_from_slice(&now.q);
+            out.v.copy_from_slice(&now.v);
+            return;
+        }
+        let mut within = vec![0.0; theta.len()];
+        match stepper {
+            Stepper::Explicit(explicit) => explicit.at(s, h, &start.v, &mut within, &mut out.v),
+            _ => {
+                for d in 0..theta.len() {
+                    within[d] = s * theta[d];
+                    out.v[d] = start.v[d] + s * (now.v[d] - start.v[d]);
+                }
+            }
+        }
+        flow.model.integrate_into(&start.q, &within, &mut out.q);
+    }
+
+    /// Runs for `span_s`, with samples at equal intervals, the start included, and events as they happen, in the order of time.
+    ///
+    /// Ends early where `report` breaks. Errors: [`SimulationError`]; what was reported stands, up to the last good step.
+    pub fn run(
+        &mut self,
+        span_s: f64,
+        intervals: usize,
+        watches: &mut [Watch<'_>],
+        report: &mut dyn FnMut(Report<'_>) -> ControlFlow<()>,
+    ) -> Result<ControlFlow<()>, SimulationError> {
+        if !(span_s > 0.0 && span_s.is_finite()) {
+            return Err(SimulationError::Schedule("the span is a positive number of seconds"));
+        }
+        if intervals == 0 {
+            return Err(SimulationError::Schedule("at least one interval"));
+        }
+        let interval = span_s / intervals as f64;
+        let begin = self.now.t;
+        let (end, time) = (begin + span_s, |k: usize| begin + k as f64 * interval);
+        if self.tolerance.is_none() {
+            // Steps of one length that end on samples, or with the span.
+            let whole = if self.h <= interval * (1.0 + 1e-9) { interval } else { span_s };
+            self.h = whole / (whole / self.h * (1.0 - 1e-9)).ceil().max(1.0);
+        } else {
+            self.h = self.h.min(interval);
+        }
+        let mut room = self.now.clone();
+        for event in watches.iter_mut().filter_map(|watch| watch.begin(&self.now)).collect::<Vec<_>>() {
+            if report(Report::Event(event)).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        if report(Report::Sample(&self.now)).is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        let mut next = 1;
+        while next <= intervals {
+            let limit = if self.tolerance.is_none() && self.h <= interval { time(next) } else { end };
+            self.step(if next == intervals { end } else { limit })?;
+            let mut events = Vec::new();
+            for watch in watches.iter_mut() {
+                events.extend(watch.after(self, &mut room)?);
+            }
+            events.sort_by(|a, b| a.t.total_cmp(&b.t));
+            let mut events = events.into_iter().peekable();
+            loop {
+                let at = if next == intervals { end } else { time(next) };
+                let is_due = next <= intervals && at <= self.now.t;
+                if let Some(event) = events.next_if(|event| !is_due || event.t <= at) {
+                    if report(Report::Event(event)).is_break() {
+                        return Ok(ControlFlow::Break(()));
+                    }
+                } else if is_due {
+                    self.at(at, &mut room);
+                    next += 1;
+                    if report(Report::Sample(&room)).is_break() {
+                        return Ok(ControlFlow::Break(()));
+                    }
+                } else {
+                    break;
+                }
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}
+
+/// Takes the last digits' drift off unit quaternions.
+fn unit_quaternions(model: &Model<f64>, q: &mut [f64]) {
+    for joint in model.joints() {
+        let Some(at) = joint.kind().quaternion() else { continue };
+        let first = joint.coordinates().start + at;
+        let norm = q[first..first + 4].iter().map(|x| x * x).sum::<f64>().sqrt();
+        q[first..first + 4].iter_mut().for_each(|x| *x /= norm);
+    }
+}
+
+/// The motion of a mechanism under gravity alone, sampled at equal intervals, the start included.
 ///
 /// | name | shape | unit |
 /// |------|-------|------|
-/// | `q`, `v` | `nq`, `nv`: the start | rad, m; rad/s, m/s |
-/// | returned | `intervals` + 1 states | s, rad, m, rad/s, m/s |
+/// | `q`, `v` | `nq`, `nv`: the start | rad, m, unit quaternion; rad/s, m/s |
+/// | returned | `intervals` + 1 states | s, rad, m, unit quaternion; rad/s, m/s |
 ///
-/// Method: see the module. Numerics: a fixed method of order p errs by O(hᵖ); an adaptive one keeps the local error below its tolerance. Neither
-/// keeps the energy exactly: watch it.
+/// Method: see the module. Numerics: a fixed method of order p errs by O(hᵖ); an adaptive one keeps the local error below its tolerance, and
+/// samples between its steps come from an interpolant one order lower. Watch the energy.
 ///
 /// Errors: [`SimulationError`].
 ///
 /// ```
 /// use eigenbody::Family;
-/// use eigenbody_study::simulate::{DORMAND_PRINCE, Schedule, Steps, simulate};
+/// use eigenbody_study::simulate::{DORMAND_PRINCE, Method, Schedule, Steps, simulate};
 /// let rod = Family::slender_chain(1, 1.0, 1.0)?.model::<f64>()?;
-/// let schedule =
-///     Schedule { method: DORMAND_PRINCE, steps: Steps::Adaptive(1e-10), span_s: 1.0, intervals: 10 };
+/// let method = Method::RungeKutta(DORMAND_PRINCE);
+/// let schedule = Schedule { method, steps: Steps::Adaptive(1e-10), span_s: 1.0, intervals: 10 };
 /// let motion = simulate(&rod, &[0.0], &[0.0], &schedule)?;
 /// assert_eq!(motion.len(), 11);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -102,122 +430,13 @@ pub fn simulate(
     schedule: &Schedule,
 ) -> Result<Vec<State>, SimulationError> {
     let Schedule { method, steps, span_s, intervals } = *schedule;
-    check(model, q, v, schedule)?;
-    let mut flow = Flow { model, workspace: AbaWorkspace::new(model), tau: vec![0.0; model.nv()] };
-    let mut y = [q, v].concat();
-    let interval = span_s / intervals as f64;
-    let mut h = match steps {
-        Steps::Fixed(h) => h,
-        Steps::Adaptive(_) => interval / 8.0,
-    };
-    let mut runner = Runner::new(&method, y.len());
-    let mut motion = vec![State { t: 0.0, q: q.to_vec(), v: v.to_vec() }];
-    let mut taken = 0;
-    for sample in 0..intervals {
-        let (mut t, end) = (sample as f64 * interval, (sample + 1) as f64 * interval);
-        while t < end {
-            taken += 1;
-            // A remainder that rounding leaves is no step of its own.
-            let is_last = t + h * (1.0 + 1e-9) >= end;
-            let step = if is_last { end - t } else { h };
-            let error = runner.attempt(&mut flow, t, &y, step)?;
-            if let Steps::Adaptive(tolerance) = steps {
-                let size = error / tolerance;
-                let growth = (0.9 * size.max(1e-10).powf(-1.0 / method.order as f64)).clamp(0.2, 5.0);
-                if size > 1.0 || !is_last {
-                    h = step * growth;
-                } else {
-                    h = h.max(step * growth);
-                }
-                if size.is_nan() || h < 1e-14 * span_s || taken > MAX_STEPS {
-                    return Err(SimulationError::Stuck(t));
-                }
-                if size > 1.0 {
-                    continue;
-                }
-            }
-            y.copy_from_slice(&runner.next);
-            t = if is_last { end } else { t + step };
+    let mut simulation = Simulation::new(model, q, v, method, steps, Forces::default(), Algorithm::Aba)?;
+    let mut motion = Vec::new();
+    _ = simulation.run(span_s, intervals, &mut [], &mut |report| {
+        if let Report::Sample(state) = report {
+            motion.push(state.clone());
         }
-        let (q, v) = y.split_at(model.nq());
-        motion.push(State { t: end, q: q.to_vec(), v: v.to_vec() });
-    }
+        ControlFlow::Continue(())
+    })?;
     Ok(motion)
-}
-
-fn check(model: &Model<f64>, q: &[f64], v: &[f64], schedule: &Schedule) -> Result<(), SimulationError> {
-    let start = |error: eigenbody::InputError| SimulationError::Dynamics { t: 0.0, source: error.into() };
-    model.check_q(q).map_err(start)?;
-    model.check_v("v", v).map_err(start)?;
-    let differs = |joint: &Joint<f64>| matches!(joint, Joint::Spherical | Joint::Floating | Joint::Planar);
-    if let Some(joint) = model.joints().iter().find(|joint| differs(joint.kind())) {
-        return Err(SimulationError::Joint(joint.name().to_owned()));
-    }
-    let positive = |x: f64| x > 0.0 && x.is_finite();
-    match *schedule {
-        Schedule { span_s, .. } if !positive(span_s) => {
-            Err(SimulationError::Schedule("the span is a positive number of seconds"))
-        }
-        Schedule { intervals: 0, .. } => Err(SimulationError::Schedule("at least one interval")),
-        Schedule { steps: Steps::Fixed(h) | Steps::Adaptive(h), .. } if !positive(h) => {
-            Err(SimulationError::Schedule("step and tolerance are positive numbers"))
-        }
-        Schedule { steps: Steps::Adaptive(_), method, .. } if method.error.is_none() => {
-            Err(SimulationError::Schedule("this method has no error estimate: its steps are fixed"))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// ẏ = f(y), y = [q; v].
-struct Flow<'m> {
-    model: &'m Model<f64>,
-    workspace: AbaWorkspace<f64>,
-    tau: Vec<f64>,
-}
-
-impl Flow<'_> {
-    fn rate(&mut self, t: f64, y: &[f64], rate: &mut [f64]) -> Result<(), SimulationError> {
-        let (q, v) = y.split_at(self.model.nq());
-        let (qdot, vdot) = rate.split_at_mut(q.len());
-        qdot.copy_from_slice(v);
-        forward_dynamics_into(self.model, q, v, &self.tau, &mut self.workspace, vdot)
-            .map_err(|source| SimulationError::Dynamics { t, source })
-    }
-}
-
-/// Room for one step.
-struct Runner<'t> {
-    method: &'t Tableau,
-    stages: Vec<Vec<f64>>,
-    place: Vec<f64>,
-    next: Vec<f64>,
-}
-
-impl<'t> Runner<'t> {
-    fn new(method: &'t Tableau, n: usize) -> Self {
-        Self { method, stages: vec![vec![0.0; n]; method.b.len()], place: vec![0.0; n], next: vec![0.0; n] }
-    }
-
-    /// One step from y into `next`; the estimated error in units of max(1, |y|), root mean square, or zero without an estimate.
-    fn attempt(&mut self, flow: &mut Flow<'_>, t: f64, y: &[f64], h: f64) -> Result<f64, SimulationError> {
-        let Self { method, stages, place, next } = self;
-        for s in 0..method.b.len() {
-            let (done, rest) = stages.split_at_mut(s);
-            let row = if s == 0 { &[][..] } else { method.a[s - 1] };
-            for (i, place) in place.iter_mut().enumerate() {
-                *place = y[i] + h * row.iter().zip(done.iter()).map(|(a, k)| a * k[i]).sum::<f64>();
-            }
-            flow.rate(t, place, &mut rest[0])?;
-        }
-        let along = |weights: &[f64], i: usize| -> f64 {
-            h * weights.iter().zip(stages.iter()).map(|(b, k)| b * k[i]).sum::<f64>()
-        };
-        for (i, next) in next.iter_mut().enumerate() {
-            *next = y[i] + along(method.b, i);
-        }
-        let Some(error) = method.error else { return Ok(0.0) };
-        let squares = (0..y.len()).map(|i| (along(error, i) / y[i].abs().max(1.0)).powi(2)).sum::<f64>();
-        Ok((squares / y.len() as f64).sqrt())
-    }
 }

@@ -1,28 +1,57 @@
 //! Coefficients of explicit Runge-Kutta methods.
 
-/// An explicit method: its stages, its weights, and the weights of its error estimate if it has one.
+/// An explicit method: its stages, its weights, its interpolant, and the weights of its error estimate if it has one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tableau {
+    /// What the method is called.
+    pub name: &'static str,
     /// Rows 2, 3, .. of the strictly lower triangular matrix a.
     pub a: &'static [&'static [f64]],
     /// Weights b.
     pub b: &'static [f64],
     /// b − b̂, b̂ the weights of the companion of lower order.
     pub error: Option<&'static [f64]>,
+    /// Weights within the step: b_i(s) = Σ_k dense[i][k−1] sᵏ, s from 0 to 1.
+    pub dense: &'static [[f64; 4]],
     /// Order of the method.
     pub order: u32,
 }
 
-/// The classical method of order 4 (Kutta 1901).
+impl Tableau {
+    /// c_s = Σ a_sj: when, within the step, stage s is taken.
+    pub fn node(&self, stage: usize) -> f64 {
+        if stage == 0 { 0.0 } else { self.a[stage - 1].iter().sum() }
+    }
+
+    /// b_i(s).
+    pub fn weight(&self, stage: usize, s: f64) -> f64 {
+        self.dense[stage].iter().rev().fold(0.0, |sum, c| (sum + c) * s)
+    }
+
+    /// The last stage stands where the next step begins.
+    pub fn is_first_same_as_last(&self) -> bool {
+        self.a.last().is_some_and(|row| row.iter().eq(&self.b[..row.len()]))
+    }
+}
+
+/// The classical method of order 4 (Kutta 1901); its interpolant has order 3.
 pub const RK4: Tableau = Tableau {
+    name: "Runge-Kutta 4",
     a: &[&[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
     b: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
     error: None,
+    dense: &[
+        [1.0, -3.0 / 2.0, 2.0 / 3.0, 0.0],
+        [0.0, 1.0, -2.0 / 3.0, 0.0],
+        [0.0, 1.0, -2.0 / 3.0, 0.0],
+        [0.0, -1.0 / 2.0, 2.0 / 3.0, 0.0],
+    ],
     order: 4,
 };
 
-/// Order 5 with a companion of order 4 (Dormand & Prince 1980).
+/// Order 5 with a companion of order 4 (Dormand & Prince 1980) and an interpolant of order 4 (Shampine 1986).
 pub const DORMAND_PRINCE: Tableau = Tableau {
+    name: "Dormand-Prince 5(4)",
     a: &[
         &[1.0 / 5.0],
         &[3.0 / 40.0, 9.0 / 40.0],
@@ -41,5 +70,19 @@ pub const DORMAND_PRINCE: Tableau = Tableau {
         22.0 / 525.0,
         -1.0 / 40.0,
     ]),
+    dense: &[
+        [1.0, -8048581381.0 / 2820520608.0, 8663915743.0 / 2820520608.0, -12715105075.0 / 11282082432.0],
+        [0.0; 4],
+        [0.0, 131558114200.0 / 32700410799.0, -68118460800.0 / 10900136933.0, 87487479700.0 / 32700410799.0],
+        [0.0, -1754552775.0 / 470086768.0, 14199869525.0 / 1410260304.0, -10690763975.0 / 1880347072.0],
+        [
+            0.0,
+            127303824393.0 / 49829197408.0,
+            -318862633887.0 / 49829197408.0,
+            701980252875.0 / 199316789632.0,
+        ],
+        [0.0, -282668133.0 / 205662961.0, 2019193451.0 / 616988883.0, -1453857185.0 / 822651844.0],
+        [0.0, 40617522.0 / 29380423.0, -110615467.0 / 29380423.0, 69997945.0 / 29380423.0],
+    ],
     order: 5,
 };

@@ -1,8 +1,10 @@
 //! How well-conditioned: κ, κ′, the diagonal ratio, the bracket, the softest and the stiffest mode.
 
 mod at;
+mod closed;
 
 pub use at::{Question, conditioning_at, count_below};
+pub use closed::{Allowed, ClosedAt, RANK_TOLERANCE, allowed_motions, close_loops, conditioning_closed};
 
 use crate::error::Error;
 use crate::matrix::Matrix;

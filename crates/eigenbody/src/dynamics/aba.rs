@@ -1,57 +1,53 @@
-//! The articulated-body algorithm, one degree of freedom after the other.
+//! The articulated-body algorithm: the bias force first, then a robot at rest.
 //!
 //! ```text
-//! for i = 1..N:   v_i = X_up v_p + S_i q̇_i      c_i = S°_i q̇_i + v_i × S_i q̇_i
-//!                 IA_i = I_i                     pA_i = v_i ×* I_i v_i
+//! τ − C(q, q̇)                                        C from RNEA at q̈ = 0, gravity included
 //! for i = N..1:   for d of body i, last to first:
-//!                     U_d = IA_i S_d      D_d = S_dᵀ U_d + armature_d      u_d = τ_d − S_dᵀ pA_i
-//!                     IA_i −= U_d D_d⁻¹ U_dᵀ      pA_i += U_d D_d⁻¹ u_d
-//!                 IA_p += X_upᵀ IA_i X_up        pA_p += X_upᵀ (pA_i + IA_i c_i)
-//! a_0 = −a_g
-//! for i = 1..N:   a = X_up a_p + c_i
+//!                     U_d = IA_i S_d      D_d = S_dᵀ U_d + armature_d      u_d = τ_d − C_d − S_dᵀ p_i
+//!                     IA_i −= U_d D_d⁻¹ U_dᵀ      p_i += U_d D_d⁻¹ u_d
+//!                 IA_p += X_upᵀ IA_i X_up        p_p += X_upᵀ p_i          (IA_i starts as I_i, p_i as 0)
+//! for i = 1..N:   a = X_up a_p
 //!                 for d of body i, first to last:   q̈_d = D_d⁻¹ (u_d − U_dᵀ a);   a += S_d q̈_d
 //! ```
-//! Featherstone (2008), table 7.1; a joint of k DoFs is k hinges in the same place with massless links between. Cost O(N).
-//! H = L D Lᵀ with these D: they are the pivots of a Cholesky-type elimination of H from the tips inwards.
+//! Featherstone (2008), table 7.1, without its velocity terms: H q̈ = τ − C is a robot at rest that feels what is left of τ. A joint of
+//! k DoFs is k hinges in the same place with massless links between. Cost O(N). H = L D Lᵀ with these D: they are the pivots of a
+//! Cholesky-type elimination of H from the tips inwards.
 
-use super::kinematics::Kinematics;
-use super::rnea::check_out;
+use super::posture::{Posture, position, slide};
+use super::rnea::{RneaWorkspace, check_out, rnea};
 use crate::error::{Error, NotPositiveDefinite};
-use crate::model::Model;
-use crate::scalar::{Real, Scalar};
-use crate::spatial::{ArticulatedInertia, Force, Motion, Vec3};
+use crate::joint::Column;
+use crate::model::{Mechanism, Model, MotionKind, with_twist};
+use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 
 /// Room for [`forward_dynamics_into`].
 #[derive(Debug, Clone)]
 pub struct AbaWorkspace<T> {
-    kinematics: Kinematics<T>,
-    /// N: velocity and velocity-product acceleration, then acceleration, of each body.
-    v: Vec<Motion<T>>,
-    c: Vec<Motion<T>>,
-    a: Vec<Motion<T>>,
-    /// N: articulated inertia and bias force. Accumulated backwards.
+    bias: RneaWorkspace<T>,
+    /// N + 1, the world first: articulated inertia and bias force, accumulated backwards; acceleration.
     IA: Vec<ArticulatedInertia<T>>,
-    pA: Vec<Force<T>>,
-    /// nv: U = IA S, hinge inertia D, u = τ − Sᵀ pA. Written by the backward sweep.
+    p: Vec<Force<T>>,
+    a: Vec<Motion<T>>,
+    /// nv: C, then u. Written by the bias pass and the backward sweep.
+    pub(super) u: Vec<T>,
+    /// nv: U = IA S and the hinge inertia D. Written by the backward sweep.
     U: Vec<Force<T>>,
-    D: Vec<T>,
-    u: Vec<T>,
+    pub(super) D: Vec<T>,
 }
 
 impl<T: Scalar> AbaWorkspace<T> {
     /// Room for a model.
-    pub fn new(model: &Model<T>) -> Self {
-        let (n, nv) = (model.bodies.len(), model.nv());
+    pub fn new(model: &Model<T::Constant>) -> Self {
+        let (n, nv) = (model.bodies.len() + 1, model.nv());
         Self {
-            kinematics: Kinematics::new(model),
-            v: vec![Motion::ZERO; n],
-            c: vec![Motion::ZERO; n],
-            a: vec![Motion::ZERO; n],
+            bias: RneaWorkspace::new(model),
             IA: vec![ArticulatedInertia::ZERO; n],
-            pA: vec![Force::ZERO; n],
+            p: vec![Force::ZERO; n],
+            a: vec![Motion::ZERO; n],
+            u: vec![T::ZERO; nv],
             U: vec![Force::ZERO; nv],
             D: vec![T::ZERO; nv],
-            u: vec![T::ZERO; nv],
         }
     }
 }
@@ -101,8 +97,7 @@ pub fn forward_dynamics_into<T: Real>(
     model.check_v("v", v)?;
     model.check_v("tau", tau)?;
     check_out("vdot", vdot.len(), model.nv())?;
-    workspace.kinematics.update(model, q);
-    aba(model, model.gravity, v, tau, workspace, vdot);
+    dispatch_one(Aba { model, q, v, tau, workspace: &mut *workspace, vdot });
     // Checked from the tips inwards, in the order of elimination: the first bad pivot is the one to name.
     match model.dofs.order().rev().find(|&d| !(workspace.D[d] > T::ZERO && workspace.D[d].is_finite())) {
         Some(dof) => Err(NotPositiveDefinite { dof, pivot: workspace.D[dof].to_f64() }.into()),
@@ -110,52 +105,170 @@ pub fn forward_dynamics_into<T: Real>(
     }
 }
 
-/// The three sweeps; the kinematics stand in the workspace.
+/// The algorithm with its arguments, which have been checked.
+pub(super) struct Aba<'a, T, U> {
+    pub model: &'a Model<T>,
+    pub q: &'a [U],
+    pub v: &'a [U],
+    pub tau: &'a [U],
+    pub workspace: &'a mut AbaWorkspace<U>,
+    pub vdot: &'a mut [U],
+}
+
+impl<T: Real> Algorithm<T> for Aba<'_, T, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Scalar<Constant = T, Stored = T>>(self) {
+        self.sweep::<S>();
+    }
+}
+
+impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
+    /// Bias pass and both sweeps.
+    #[inline(always)]
+    pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
+        let Self { model, q, v, tau, workspace, vdot } = self;
+        let AbaWorkspace { bias, IA, p, a, u, U, D } = workspace;
+        bias.posture.update::<S>(&model.mechanism, q);
+        let zeros = std::mem::take(&mut bias.zeros);
+        rnea::<S>(model, q, v, &zeros, bias, u);
+        bias.zeros = zeros;
+        for (u, &tau) in u.iter_mut().zip(tau) {
+            *u = (S::load(tau) - S::load(*u)).store();
+        }
+        at_rest::<S>(model, &bias.posture, q, (IA, p, a), (u, U, D), vdot);
+    }
+}
+
+/// Both sweeps over a robot at rest.
 #[inline(always)]
-fn aba<T: Scalar>(
-    model: &Model<T>,
-    gravity: Vec3<T>,
-    qd: &[T],
-    tau: &[T],
-    workspace: &mut AbaWorkspace<T>,
-    qdd: &mut [T],
+#[allow(clippy::type_complexity)]
+fn at_rest<S: Scalar>(
+    model: &Model<S::Constant>,
+    posture: &Posture<S::Stored>,
+    q: &[S::Stored],
+    (IA, p, a): (&mut [ArticulatedInertia<S::Stored>], &mut [Force<S::Stored>], &mut [Motion<S::Stored>]),
+    (u, U, D): (&mut [S::Stored], &mut [Force<S::Stored>], &mut [S::Stored]),
+    qdd: &mut [S::Stored],
 ) {
-    let AbaWorkspace { kinematics: Kinematics { X_up, S }, v, c, a, IA, pA, U, D, u } = workspace;
-    for (i, body) in model.bodies.iter().enumerate() {
-        let dofs = body.dofs();
-        let S_i = &S[dofs.clone()];
-        let v_p = body.parent().map_or(Motion::ZERO, |p| v[p]);
-        let mut v_J = Motion::ZERO;
-        for (k, d) in dofs.clone().enumerate() {
-            v_J += S_i[k] * qd[d];
-        }
-        v[i] = X_up[i].motion(v_p) + v_J;
-        c[i] = body.joint.bias(S_i, &qd[dofs]) + v[i].cross(v_J);
-        IA[i] = body.I.into();
-        pA[i] = v[i].cross_force(body.I.times(v[i]));
+    let Mechanism { members, .. } = &model.mechanism;
+    for ((IA, p), m) in IA[1..].iter_mut().zip(&mut p[1..]).zip(members) {
+        (*IA, *p) = (m.I.map(S::Stored::constant).articulated(), Force::ZERO);
     }
-    for (i, body) in model.bodies.iter().enumerate().rev() {
-        let (mut IA_i, mut pA_i) = (IA[i], pA[i]);
-        for d in body.dofs().rev() {
-            U[d] = IA_i.times(S[d]);
-            D[d] = S[d].dot(U[d]) + model.armature[d];
-            u[d] = tau[d] - S[d].dot(pA_i);
-            let D_inverse = T::ONE / D[d];
-            IA_i = IA_i.minus_outer(U[d], D_inverse);
-            pA_i += U[d] * (D_inverse * u[d]);
-        }
-        if let Some(p) = body.parent() {
-            IA[p] += X_up[i].transpose_articulated(IA_i);
-            pA[p] += X_up[i].transpose_force(pA_i + IA_i.times(c[i]));
-        }
+    for (i, m) in members.iter().enumerate().rev() {
+        let (mut IA_i, mut p_i) = (IA[i + 1].map(S::load), p[i + 1].map(S::load));
+        let mut eliminate = Eliminate { IA: &mut IA_i, p: &mut p_i, u, U, D, armature: &model.armature };
+        let d = m.v0 as usize;
+        let (IA_up, p_up) = match m.motion {
+            MotionKind::Hinge => {
+                eliminate.unit::<2>(d);
+                let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
+                with_twist!(m, S, C => {
+                    let X = Placed { E: ThenZ { turn, first: C }, r };
+                    (X.transpose_articulated(IA_i), X.transpose_force(p_i))
+                })
+            }
+            MotionKind::Slide => {
+                eliminate.unit::<5>(d);
+                let (X, q) = (slide::<S>(m), S::load(q[m.q0 as usize]));
+                let IA_i = IA_i.shifted_along_z(q);
+                (X.transpose_articulated(IA_i), X.transpose_force(p_i.shifted_along_z(q)))
+            }
+            MotionKind::Other => {
+                for (d, &column) in (d..d + m.joint.nv()).zip(m.joint.columns()).rev() {
+                    eliminate.column(d, column, posture.S[d].map(S::load));
+                }
+                let X = posture.placed::<S>(i);
+                (X.transpose_articulated(IA_i), X.transpose_force(p_i))
+            }
+        };
+        let parent = m.parent as usize;
+        IA[parent] = (IA[parent].map(S::load) + IA_up).map(S::store);
+        p[parent] = (p[parent].map(S::load) + p_up).map(S::store);
     }
-    let a_0 = Motion::new(Vec3::ZERO, -gravity);
-    for (i, body) in model.bodies.iter().enumerate() {
-        let mut a_i = X_up[i].motion(body.parent().map_or(a_0, |p| a[p])) + c[i];
-        for d in body.dofs() {
-            qdd[d] = (u[d] - a_i.dot(U[d])) / D[d];
-            a_i += S[d] * qdd[d];
+    for (i, m) in members.iter().enumerate() {
+        let a_p = a[m.parent as usize].map(S::load);
+        let d = m.v0 as usize;
+        let mut a_i = match m.motion {
+            MotionKind::Hinge => {
+                let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
+                with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
+            }
+            MotionKind::Slide => slide::<S>(m).motion(a_p).shifted_along_z(S::load(q[m.q0 as usize])),
+            MotionKind::Other => posture.placed::<S>(i).motion(a_p),
+        };
+        match m.motion {
+            MotionKind::Hinge => a_i.ang.z += accelerate::<S>(d, a_i, u, U, D, qdd),
+            MotionKind::Slide => a_i.lin.z += accelerate::<S>(d, a_i, u, U, D, qdd),
+            MotionKind::Other => {
+                for (d, &column) in (d..).zip(m.joint.columns()) {
+                    let qdd_d = accelerate::<S>(d, a_i, u, U, D, qdd);
+                    a_i = column.moved(a_i, posture.S[d].map(S::load), qdd_d);
+                }
+            }
         }
-        a[i] = a_i;
+        a[i + 1] = a_i.map(S::store);
+    }
+}
+
+/// q̈_d = D_d⁻¹ (u_d − U_dᵀ a).
+#[inline(always)]
+fn accelerate<S: Scalar>(
+    d: usize,
+    a: Motion<S>,
+    u: &[S::Stored],
+    U: &[Force<S::Stored>],
+    D: &[S::Stored],
+    qdd: &mut [S::Stored],
+) -> S {
+    let qdd_d = (S::load(u[d]) - a.dot(U[d].map(S::load))) / S::load(D[d]);
+    qdd[d] = qdd_d.store();
+    qdd_d
+}
+
+/// A body's inertia and bias force while its hinges are eliminated.
+struct Eliminate<'a, S: Scalar> {
+    IA: &'a mut ArticulatedInertia<S>,
+    p: &'a mut Force<S>,
+    u: &'a mut [S::Stored],
+    U: &'a mut [Force<S::Stored>],
+    D: &'a mut [S::Stored],
+    armature: &'a [S::Constant],
+}
+
+impl<S: Scalar> Eliminate<'_, S> {
+    /// DoF d, whose column is the K-th unit vector. What is left of IA S, a row and a column, is written without cancelling.
+    #[inline(always)]
+    fn unit<const K: usize>(&mut self, d: usize) {
+        let (U, armature) = (self.IA.column::<K>(), S::constant(self.armature[d]));
+        let D = U.component::<K>() + armature;
+        let (D_inverse, u) = (S::ONE / D, S::load(self.u[d]) - self.p.component::<K>());
+        *self.IA = self.IA.minus_outer(U, D_inverse).with_column::<K>(U * (armature * D_inverse));
+        *self.p += U * (D_inverse * u);
+        (self.U[d], self.D[d], self.u[d]) = (U.map(S::store), D.store(), u.store());
+    }
+
+    /// DoF d with any column.
+    #[inline(always)]
+    fn any(&mut self, d: usize, S_d: Motion<S>) {
+        let U = self.IA.times(S_d);
+        let D = S_d.dot(U) + S::constant(self.armature[d]);
+        let (D_inverse, u) = (S::ONE / D, S::load(self.u[d]) - S_d.dot(*self.p));
+        *self.IA = self.IA.minus_outer(U, D_inverse);
+        *self.p += U * (D_inverse * u);
+        (self.U[d], self.D[d], self.u[d]) = (U.map(S::store), D.store(), u.store());
+    }
+
+    #[inline(always)]
+    fn column(&mut self, d: usize, column: Column, S_d: Motion<S>) {
+        match column {
+            Column::AngX => self.unit::<0>(d),
+            Column::AngY => self.unit::<1>(d),
+            Column::AngZ => self.unit::<2>(d),
+            Column::LinX => self.unit::<3>(d),
+            Column::LinY => self.unit::<4>(d),
+            Column::LinZ => self.unit::<5>(d),
+            Column::General => self.any(d, S_d),
+        }
     }
 }

@@ -4,10 +4,10 @@
 //! C(q, v) = τ of RNEA at v̇ = 0          g(q) = C(q, 0)
 //! ```
 
-use super::rnea::{RneaWorkspace, check_out, rnea};
+use super::rnea::{Rnea, RneaWorkspace, check_out};
 use crate::error::InputError;
 use crate::model::Model;
-use crate::scalar::Real;
+use crate::scalar::{Real, dispatch_one};
 
 /// C(q, v): gravity, Coriolis and centrifugal forces.
 ///
@@ -83,7 +83,6 @@ fn bias_force_at<T: Real>(
     model.check_q(q)?;
     model.check_v("v", v)?;
     check_out("C", C.len(), model.nv())?;
-    workspace.kinematics.update(model, q);
-    rnea(model, model.gravity, v, zeros, workspace, C);
+    dispatch_one(Rnea { model, q, v, vdot: zeros, workspace, tau: C });
     Ok(())
 }

@@ -6,8 +6,8 @@
 //! Featherstone (2004), §4.6. H* does not depend on which body is called the base, but the difference cancels where the base is
 //! light against what it carries: it is taken from the central body. H_bb is eliminated column by column.
 
-use super::crba::crba;
 use super::kinematics::Kinematics;
+use super::plain::crba;
 use super::reroot::Rerooted;
 use super::rnea::check_out;
 use crate::error::{Error, InputError, NotPositiveDefinite};

@@ -25,6 +25,13 @@ impl<T: Scalar> Kinematics<T> {
         Self { X_up: vec![Transform::IDENTITY; model.bodies.len()], S: vec![Motion::ZERO; model.nv()] }
     }
 
+    /// Both at q. The caller has checked q.
+    pub(crate) fn at(model: &Model<T>, q: &[T]) -> Self {
+        let mut kinematics = Self::new(model);
+        kinematics.update(model, q);
+        kinematics
+    }
+
     /// X_up and S at q. The caller has checked q.
     #[inline(always)]
     pub(crate) fn update(&mut self, model: &Model<T>, q: &[T]) {

@@ -5,6 +5,7 @@
 
 mod aba;
 mod bias;
+mod closure;
 mod crba;
 mod denoc;
 mod energy;
@@ -13,12 +14,15 @@ mod gradient;
 mod inertial;
 mod kinematics;
 mod momentum;
+pub mod plain;
+mod posture;
 mod reduction;
 mod reroot;
 mod rnea;
 
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
 pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
+pub use closure::{Anchor, Closure, Tie, closure_jacobian, closure_residual};
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
 pub use denoc::{Denoc, Udu};
 pub use energy::{Energy, EnergyShares, energy, energy_into, energy_shares};

@@ -1,42 +1,53 @@
-//! The recursive Newton-Euler algorithm.
+//! The recursive Newton-Euler algorithm, in the form that never needs a linear velocity.
 //!
 //! ```text
 //! a_0 = −a_g
-//! for i = 1..N:   v_i = X_up v_p + S_i q̇_i
-//!                 a_i = X_up a_p + S_i q̈_i + S°_i q̇_i + v_i × S_i q̇_i
-//!                 f_i = I_i a_i + v_i ×* I_i v_i
-//! for i = N..1:   τ_i = S_iᵀ f_i + armature_i q̈_i
-//!                 f_p += X_upᵀ f_i
+//! for i = 1..N:   ω_i = E ω_p + ω_J                α_i = E α_p + α_J + E ω_p × ω_J
+//!                 a_i = E (a_p + Ψ_p r) + a_J + (2 E ω_p + ω_J) × v_J
+//!                 Ψ_i = [α_i]× + [ω_i]×²           every point ρ of body i accelerates by a_i + Ψ_i ρ
+//!                 f_i = m a_i + Ψ_i h              n_i = h × a_i + axial(Ψ_i P)
+//! for i = N..1:   τ_i = S_iᵀ [n_i; f_i] + armature_i q̈_i
+//!                 [n_p; f_p] += X_upᵀ [n_i; f_i]
 //! ```
-//! Featherstone (2008), table 5.1. Cost O(N).
+//! ω_J, v_J and α_J, a_J are S q̇ and S q̈ + S° q̇. Accelerations are those of points, not spatial ones: table 5.1 of Featherstone (2008),
+//! which `plain` has as it stands, with a_i + ω_i × v_i for the linear part. P are the second moments of mass. Cost O(N).
 
-use super::kinematics::Kinematics;
+use super::posture::{Posture, position, slide};
 use crate::error::InputError;
-use crate::model::Model;
-use crate::scalar::{Real, Scalar};
-use crate::spatial::{Force, Motion, Vec3};
+use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
+use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
 
 /// Room for [`inverse_dynamics_into`].
 #[derive(Debug, Clone)]
 pub struct RneaWorkspace<T> {
-    pub(super) kinematics: Kinematics<T>,
-    /// N: velocity and acceleration (gravity included) of each body. Written by the forward sweep.
-    v: Vec<Motion<T>>,
-    a: Vec<Motion<T>>,
-    /// N: force transmitted through each joint. Written forwards, accumulated backwards.
+    pub(super) posture: Posture<T>,
+    /// N + 1, the world first.
+    bodies: Vec<Moving<T>>,
+    /// N + 1: force transmitted through each joint. Written forwards, accumulated backwards.
     f: Vec<Force<T>>,
     /// nv: zeros, for the callers that need v = 0 or v̇ = 0.
     pub(super) zeros: Vec<T>,
 }
 
+/// How a body moves. Written by the forward sweep.
+#[derive(Debug, Clone, Copy)]
+struct Moving<T> {
+    omega: Vec3<T>,
+    alpha: Vec3<T>,
+    /// Of the frame's origin, gravity included.
+    a: Vec3<T>,
+    Psi: Mat3<T>,
+}
+
 impl<T: Scalar> RneaWorkspace<T> {
     /// Room for a model.
-    pub fn new(model: &Model<T>) -> Self {
-        let n = model.bodies.len();
+    pub fn new(model: &Model<T::Constant>) -> Self {
+        let n = model.bodies.len() + 1;
+        let still = Moving { omega: Vec3::ZERO, alpha: Vec3::ZERO, a: Vec3::ZERO, Psi: Mat3::ZERO };
         Self {
-            kinematics: Kinematics::new(model),
-            v: vec![Motion::ZERO; n],
-            a: vec![Motion::ZERO; n],
+            posture: Posture::new(&model.mechanism),
+            bodies: vec![still; n],
             f: vec![Force::ZERO; n],
             zeros: vec![T::ZERO; model.nv()],
         }
@@ -92,8 +103,7 @@ pub fn inverse_dynamics_into<T: Real>(
     model.check_v("v", v)?;
     model.check_v("vdot", vdot)?;
     check_out("tau", tau.len(), model.nv())?;
-    workspace.kinematics.update(model, q);
-    rnea(model, model.gravity, v, vdot, workspace, tau);
+    dispatch_one(Rnea { model, q, v, vdot, workspace, tau });
     Ok(())
 }
 
@@ -101,38 +111,187 @@ pub(super) fn check_out(what: &'static str, found: usize, expected: usize) -> Re
     if found == expected { Ok(()) } else { Err(InputError::Length { what, expected, found }) }
 }
 
-/// The two sweeps; the kinematics stand in the workspace.
-#[inline(always)]
-pub(super) fn rnea<T: Scalar>(
-    model: &Model<T>,
-    gravity: Vec3<T>,
-    qd: &[T],
-    qdd: &[T],
-    workspace: &mut RneaWorkspace<T>,
-    tau: &mut [T],
-) {
-    let RneaWorkspace { kinematics: Kinematics { X_up, S }, v, a, f, .. } = workspace;
-    let a_0 = Motion::new(Vec3::ZERO, -gravity);
-    for (i, body) in model.bodies.iter().enumerate() {
-        let (v_p, a_p) = body.parent().map_or((Motion::ZERO, a_0), |p| (v[p], a[p]));
-        let dofs = body.dofs();
-        let S_i = &S[dofs.clone()];
-        let (mut v_J, mut a_J) = (Motion::ZERO, body.joint.bias(S_i, &qd[dofs.clone()]));
-        for (k, d) in dofs.enumerate() {
-            v_J += S_i[k] * qd[d];
-            a_J += S_i[k] * qdd[d];
-        }
-        v[i] = X_up[i].motion(v_p) + v_J;
-        a[i] = X_up[i].motion(a_p) + a_J + v[i].cross(v_J);
-        f[i] = body.I.times(a[i]) + v[i].cross_force(body.I.times(v[i]));
+/// The algorithm with its arguments, which have been checked.
+pub(super) struct Rnea<'a, T, U> {
+    pub model: &'a Model<T>,
+    pub q: &'a [U],
+    pub v: &'a [U],
+    pub vdot: &'a [U],
+    pub workspace: &'a mut RneaWorkspace<U>,
+    pub tau: &'a mut [U],
+}
+
+impl<T: Real> Algorithm<T> for Rnea<'_, T, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Scalar<Constant = T, Stored = T>>(self) {
+        self.sweep::<S>();
     }
-    for (i, body) in model.bodies.iter().enumerate().rev() {
-        for d in body.dofs() {
-            tau[d] = S[d].dot(f[i]) + model.armature[d] * qdd[d];
-        }
-        if let Some(p) = body.parent() {
-            let carried = X_up[i].transpose_force(f[i]);
-            f[p] += carried;
-        }
+}
+
+impl<T: Real, U: Scalar<Constant = T>> Rnea<'_, T, U> {
+    /// Position pass and both sweeps.
+    #[inline(always)]
+    pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
+        let Self { model, q, v, vdot, workspace, tau } = self;
+        workspace.posture.update::<S>(&model.mechanism, q);
+        rnea::<S>(model, q, v, vdot, workspace, tau);
+    }
+}
+
+/// Both sweeps; the posture stands in the workspace.
+#[inline(always)]
+pub(super) fn rnea<S: Scalar>(
+    model: &Model<S::Constant>,
+    q: &[S::Stored],
+    qd: &[S::Stored],
+    qdd: &[S::Stored],
+    workspace: &mut RneaWorkspace<S::Stored>,
+    tau: &mut [S::Stored],
+) {
+    let RneaWorkspace { posture, bodies, f, .. } = workspace;
+    let Mechanism { members, .. } = &model.mechanism;
+    bodies[0].a = (-model.gravity.map(S::constant)).map(S::store);
+    for (i, m) in members.iter().enumerate() {
+        let (before, rest) = bodies.split_at_mut(i + 1);
+        let (up, out) = (&before[m.parent as usize], &mut rest[0]);
+        let d = m.v0 as usize;
+        let force = match m.motion {
+            MotionKind::Hinge => {
+                let (turn, rate) = (posture.turn::<S>(i), (S::load(qd[d]), S::load(qdd[d])));
+                with_twist!(m, S, C => hinge::<S, _>(ThenZ { turn, first: C }, m, rate, up, out))
+            }
+            MotionKind::Slide => {
+                let rate = (S::load(q[m.q0 as usize]), S::load(qd[d]), S::load(qdd[d]));
+                sliding::<S>(m, rate, up, out)
+            }
+            MotionKind::Other => other::<S>(posture, i, m, qd, qdd, up, out),
+        };
+        f[i + 1] = force.map(S::store);
+    }
+    for (i, m) in members.iter().enumerate().rev() {
+        let (d, f_i) = (m.v0 as usize, f[i + 1].map(S::load));
+        let armature = |d: usize| S::constant(model.armature[d]) * S::load(qdd[d]);
+        let up = match m.motion {
+            MotionKind::Hinge => {
+                tau[d] = (f_i.ang.z + armature(d)).store();
+                let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
+                with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(f_i))
+            }
+            MotionKind::Slide => {
+                tau[d] = (f_i.lin.z + armature(d)).store();
+                slide::<S>(m).transpose_force(f_i.shifted_along_z(S::load(q[m.q0 as usize])))
+            }
+            MotionKind::Other => {
+                for (d, &column) in (d..).zip(m.joint.columns()) {
+                    let S_d = posture.S[d].map(S::load);
+                    tau[d] = (column.along(S_d, f_i) + armature(d)).store();
+                }
+                posture.placed::<S>(i).transpose_force(f_i)
+            }
+        };
+        let p = m.parent as usize;
+        f[p] = (f[p].map(S::load) + up).map(S::store);
+    }
+}
+
+/// A revolute joint: ω_J = z q̇.
+#[inline(always)]
+fn hinge<S: Scalar, R: Rotation<S>>(
+    E: R,
+    m: &Member<S::Constant>,
+    (qd, qdd): (S, S),
+    up: &Moving<S::Stored>,
+    out: &mut Moving<S::Stored>,
+) -> Force<S> {
+    let (mut omega, alpha, a) = carried(Placed { E, r: position::<S>(m) }, up);
+    let alpha = Vec3::new(omega.y.mul_add(qd, alpha.x), alpha.y - omega.x * qd, alpha.z + qdd);
+    omega.z += qd;
+    finish(m, omega, alpha, a, out)
+}
+
+/// A prismatic joint: the origin stands q along z, in a frame that does not turn.
+#[inline(always)]
+fn sliding<S: Scalar>(
+    m: &Member<S::Constant>,
+    (q, qd, qdd): (S, S, S),
+    up: &Moving<S::Stored>,
+    out: &mut Moving<S::Stored>,
+) -> Force<S> {
+    let (omega, alpha, a) = carried(slide::<S>(m), up);
+    let Psi = Psi(omega, alpha);
+    let twice = qd + qd;
+    let a = Vec3::new(
+        Psi.x.z.mul_add(q, omega.y.mul_add(twice, a.x)),
+        Psi.y.z.mul_add(q, a.y - omega.x * twice),
+        Psi.z.z.mul_add(q, a.z + qdd),
+    );
+    finish(m, omega, alpha, a, out)
+}
+
+/// Any joint, by its columns.
+#[inline(always)]
+fn other<S: Scalar>(
+    posture: &Posture<S::Stored>,
+    i: usize,
+    m: &Member<S::Constant>,
+    qd: &[S::Stored],
+    qdd: &[S::Stored],
+    up: &Moving<S::Stored>,
+    out: &mut Moving<S::Stored>,
+) -> Force<S> {
+    let (omega_p, alpha_p, a_p) = carried(posture.placed::<S>(i), up);
+    let (mut columns, mut rates) = ([Motion::<S>::ZERO; 6], [S::ZERO; 6]);
+    let (mut v_J, mut a_J) = (Motion::ZERO, Motion::ZERO);
+    let d0 = m.v0 as usize;
+    for (k, &column) in m.joint.columns().iter().enumerate() {
+        (columns[k], rates[k]) = (posture.S[d0 + k].map(S::load), S::load(qd[d0 + k]));
+        v_J = column.moved(v_J, columns[k], rates[k]);
+        a_J = column.moved(a_J, columns[k], S::load(qdd[d0 + k]));
+    }
+    a_J += m.joint.map(S::constant).bias(&columns, &rates);
+    let omega = omega_p + v_J.ang;
+    let alpha = alpha_p + a_J.ang + omega_p.cross(v_J.ang);
+    let a = a_p + a_J.lin + (omega_p + omega).cross(v_J.lin);
+    finish(m, omega, alpha, a, out)
+}
+
+/// ω, α and a of the point where the joint stands, in the body's axes.
+#[inline(always)]
+fn carried<S: Scalar, R: Rotation<S>>(
+    Placed { E, r }: Placed<S, R>,
+    up: &Moving<S::Stored>,
+) -> (Vec3<S>, Vec3<S>, Vec3<S>) {
+    let a = up.a.map(S::load) + up.Psi.map(S::load) * r;
+    (E.times(up.omega.map(S::load)), E.times(up.alpha.map(S::load)), E.times(a))
+}
+
+#[inline(always)]
+fn finish<S: Scalar>(
+    m: &Member<S::Constant>,
+    omega: Vec3<S>,
+    alpha: Vec3<S>,
+    a: Vec3<S>,
+    out: &mut Moving<S::Stored>,
+) -> Force<S> {
+    let Psi = Psi(omega, alpha);
+    *out = Moving {
+        omega: omega.map(S::store),
+        alpha: alpha.map(S::store),
+        a: a.map(S::store),
+        Psi: Psi.map(S::store),
+    };
+    m.I.map(S::constant).force(a, Psi)
+}
+
+/// [α]× + [ω]×².
+#[inline(always)]
+fn Psi<S: Scalar>(w: Vec3<S>, alpha: Vec3<S>) -> Mat3<S> {
+    let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
+    let (xy, xz, yz) = (w.x * w.y, w.x * w.z, w.y * w.z);
+    Mat3 {
+        x: Vec3::new(-(yy + zz), xy - alpha.z, xz + alpha.y),
+        y: Vec3::new(xy + alpha.z, -(xx + zz), yz - alpha.x),
+        z: Vec3::new(xz - alpha.y, yz + alpha.x, -(xx + yy)),
     }
 }

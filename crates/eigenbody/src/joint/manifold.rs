@@ -53,3 +53,36 @@ pub(super) fn twist_translation<T: Real>(w: Vec3<T>, u: Vec3<T>) -> Vec3<T> {
     let wu = w.cross(u);
     u + wu * entire(theta, 2) + w.cross(wu) * entire(theta, 3)
 }
+
+/// conj(a) ⊗ b as the turn w with a ⊗ exp(w/2) = ±b, |w| ≤ π.
+pub(super) fn quaternion_log<T: Real>(a: [T; 4], b: [T; 4]) -> Vec3<T> {
+    let [w, x, y, z] = quaternion_product([a[0], -a[1], -a[2], -a[3]], b);
+    let v = Vec3::new(x, y, z);
+    let (w, v) = if w < T::ZERO { (-w, -v) } else { (w, v) };
+    let s = v.norm();
+    // atan2(s, w)/s, by the half angle: what is left to the arc tangent is at most 1/√2, and its series needs no division by s.
+    let two = T::from_f64(2.0);
+    v * (two * arc_over_sine(s, w))
+}
+
+/// φ / sin φ for the angle φ in [0, π/2] with sine s and cosine c, up to a common factor of both.
+fn arc_over_sine<T: Real>(s: T, c: T) -> T {
+    let norm = (s * s + c * c).sqrt();
+    let (s, c) = (s / norm, c / norm);
+    if s < T::from_f64(1e-3) {
+        // 1 + s²/6 + 3 s⁴/40 + 15 s⁶/336 + ..
+        let ss = s * s;
+        let mut sum = T::ONE;
+        for (odd, even) in [(81.0, 110.0), (49.0, 72.0), (25.0, 42.0), (9.0, 20.0), (1.0, 6.0)] {
+            sum = T::ONE + ss * sum * T::from_f64(odd) / T::from_f64(even);
+        }
+        return sum / norm;
+    }
+    // Newton's method on the angle; an f64 start makes one step enough for any scalar here, two are taken.
+    let mut angle = T::from_f64(s.to_f64().atan2(c.to_f64()));
+    for _ in 0..2 {
+        let (sin, cos) = angle.sin_cos();
+        angle += s * cos - c * sin;
+    }
+    angle / s / norm
+}

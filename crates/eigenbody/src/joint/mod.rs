@@ -3,6 +3,7 @@
 //! In a model the axis of every single-axis joint is z (ARCHITECTURE, invariant 4), so kinds carry no axis. X_J(q) goes
 //! from the joint's frame on the parent's side to the body's frame; the columns of S are in the body's frame.
 
+mod column;
 mod cylindrical;
 mod floating;
 mod helical;
@@ -11,10 +12,13 @@ mod planar;
 mod prismatic;
 mod revolute;
 mod spherical;
+mod tangent;
 mod universal;
 
+pub(crate) use column::Column;
+
 use crate::scalar::{Real, Scalar};
-use crate::spatial::{Motion, Transform, Vec3};
+use crate::spatial::{Force, Motion, Transform, Vec3};
 
 /// How a body moves against its parent.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,18 +49,6 @@ pub enum Joint<T> {
     Spherical,
     /// Any motion: q = x, y, z (m), w, x, y, z; v = [angular; linear] in the body's frame.
     Floating,
-}
-
-/// A column of S: one of the six unit vectors, or any.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Column {
-    AngX,
-    AngY,
-    AngZ,
-    LinX,
-    LinY,
-    LinZ,
-    General,
 }
 
 impl<T: Scalar> Joint<T> {
@@ -205,6 +197,86 @@ impl<T: Real> Joint<T> {
                     *out = q + v;
                 }
             }
+        }
+    }
+
+    /// The constant body velocity that moves `from` to `to` in unit time: from ⊕ v = to. Rotations go the shorter way round.
+    pub fn difference(&self, from: &[T], to: &[T], out: &mut [T]) {
+        match self {
+            Self::Planar => planar::difference(from, to, out),
+            Self::Spherical => spherical::difference(from, to, out),
+            Self::Floating => floating::difference(from, to, out),
+            _ => {
+                for ((out, &from), &to) in out.iter_mut().zip(from).zip(to) {
+                    *out = to - from;
+                }
+            }
+        }
+    }
+
+    /// θ̇ of q = q₀ ⊕ θ where q moves with the body velocity v: dexp₋θ⁻¹ v; v itself where q̇ = v.
+    ///
+    /// For turns θ below 2π.
+    pub fn tangent_rate(&self, theta: &[T], v: &[T], out: &mut [T]) {
+        match self.twist(v) {
+            Some(v) => {
+                let u = self.twist(theta).map_or(Motion::ZERO, |theta| -theta);
+                self.write(tangent::dexp_inverse(u, v).to_array(), out);
+            }
+            None => out.copy_from_slice(v),
+        }
+    }
+
+    /// dexp_uᵀ f: what a force or momentum f of the joint's velocity is against θ; f itself where q̇ = v.
+    pub fn dexp_dual(&self, u: &[T], f: &[T], out: &mut [T]) {
+        match (self.twist(u), self.wrench(f)) {
+            (Some(u), Some(f)) => self.write(tangent::dexp_dual(u, f).to_array(), out),
+            _ => out.copy_from_slice(f),
+        }
+    }
+
+    /// The inverse of [`dexp_dual`](Self::dexp_dual). For turns below 2π.
+    pub fn dexp_inverse_dual(&self, u: &[T], f: &[T], out: &mut [T]) {
+        match (self.twist(u), self.wrench(f)) {
+            (Some(u), Some(f)) => self.write(tangent::dexp_inverse_dual(u, f).to_array(), out),
+            _ => out.copy_from_slice(f),
+        }
+    }
+
+    /// True if q̇ = v: the coordinates are numbers on lines.
+    pub fn is_linear(&self) -> bool {
+        !matches!(self, Self::Planar | Self::Spherical | Self::Floating)
+    }
+
+    /// Where the joint's DoFs stand among the six numbers of a motion; none where q̇ = v.
+    fn places(&self) -> Option<&'static [usize]> {
+        match self {
+            Self::Planar => Some(&[3, 4, 2]),
+            Self::Spherical => Some(&[0, 1, 2]),
+            Self::Floating => Some(&[0, 1, 2, 3, 4, 5]),
+            _ => None,
+        }
+    }
+
+    fn six(&self, x: &[T]) -> Option<(Vec3<T>, Vec3<T>)> {
+        let mut six = [T::ZERO; 6];
+        for (&place, &x) in self.places()?.iter().zip(x) {
+            six[place] = x;
+        }
+        Some((Vec3::new(six[0], six[1], six[2]), Vec3::new(six[3], six[4], six[5])))
+    }
+
+    fn twist(&self, v: &[T]) -> Option<Motion<T>> {
+        self.six(v).map(|(ang, lin)| Motion { ang, lin })
+    }
+
+    fn wrench(&self, f: &[T]) -> Option<Force<T>> {
+        self.six(f).map(|(ang, lin)| Force { ang, lin })
+    }
+
+    fn write(&self, six: [T; 6], out: &mut [T]) {
+        for (&place, out) in self.places().unwrap_or(&[]).iter().zip(out) {
+            *out = six[place];
         }
     }
 }

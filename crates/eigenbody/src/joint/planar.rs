@@ -21,3 +21,15 @@ pub(super) fn integrate<T: Real>(q: &[T], v: &[T], out: &mut [T]) {
     out[1] = q[1] + (s * v[0] + c * v[1]) * chord;
     out[2] = q[2] + v[2];
 }
+
+/// The chord turned back by θ + ω/2 and divided by sinc(ω/2). The turn is what the angles say, whole turns included.
+pub(super) fn difference<T: Real>(from: &[T], to: &[T], out: &mut [T]) {
+    let turn = to[2] - from[2];
+    let half = turn * T::from_f64(0.5);
+    let chord = sinc(half);
+    let (s, c) = (from[2] + half).sin_cos();
+    let (x, y) = (to[0] - from[0], to[1] - from[1]);
+    out[0] = (c * x + s * y) / chord;
+    out[1] = (c * y - s * x) / chord;
+    out[2] = turn;
+}

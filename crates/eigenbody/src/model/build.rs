@@ -4,7 +4,7 @@ use super::body::{Body, JointInfo, LinkInfo, WORLD};
 use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
 use super::error::BuildError;
 use super::topology::{Node, pre_order};
-use super::{DofTree, MAX_BODIES, Model, canonical, coupling, finding};
+use super::{DofTree, MAX_BODIES, Mechanism, Model, canonical, coupling, finding};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, RigidInertia, Transform, Vec3};
@@ -63,6 +63,7 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
         nq: joints.iter().map(|j| j.kind.nq()).sum(),
         floating_base: base == Base::Floating,
         gravity: robot.gravity,
+        mechanism: Mechanism::new(&bodies, &joints),
         bodies,
         links,
         joints,

@@ -1,8 +1,8 @@
 //! The same model in another scalar.
 
-use super::Model;
 use super::body::{Body, JointInfo, LinkInfo};
 use super::coupling::Coupling;
+use super::{Mechanism, Model};
 use crate::scalar::Real;
 
 impl Model<f64> {
@@ -30,11 +30,14 @@ impl Model<f64> {
             v0: j.v0,
             limits: j.limits.map(|(lower, upper)| (f(lower), f(upper))),
         };
+        let bodies: Vec<Body<U>> = self.bodies.iter().map(body).collect();
+        let joints: Vec<JointInfo<U>> = self.joints.iter().map(joint).collect();
         Model {
             name: self.name.clone(),
-            bodies: self.bodies.iter().map(body).collect(),
+            mechanism: Mechanism::new(&bodies, &joints),
+            bodies,
             links: self.links.iter().map(link).collect(),
-            joints: self.joints.iter().map(joint).collect(),
+            joints,
             dofs: self.dofs.clone(),
             dof_joint: self.dof_joint.clone(),
             armature: self.armature.iter().copied().map(f).collect(),

@@ -71,6 +71,32 @@ pub enum Finding {
 }
 
 impl Finding {
+    /// A stable name of its kind.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::InertiaNotPositive { .. } => "inertia-not-positive",
+            Self::TriangleInequality { .. } => "triangle-inequality",
+            Self::ZeroMass { .. } => "zero-mass",
+            Self::GyrationRadius { .. } => "gyration-radius",
+            Self::Units { .. } => "units",
+            Self::TwinDiffers { .. } => "twin-differs",
+            Self::MimicUnknown { .. } => "mimic-unknown",
+        }
+    }
+
+    /// The name of the link or joint that it is about; empty for the whole model.
+    pub fn subject(&self) -> &str {
+        match self {
+            Self::InertiaNotPositive { name, .. }
+            | Self::TriangleInequality { name, .. }
+            | Self::ZeroMass { name, .. }
+            | Self::GyrationRadius { name, .. }
+            | Self::TwinDiffers { name, .. }
+            | Self::MimicUnknown { name, .. } => name,
+            Self::Units { .. } => "",
+        }
+    }
+
     /// The link or joint to point at.
     pub fn place(&self) -> Place {
         match *self {

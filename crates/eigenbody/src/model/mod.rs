@@ -10,6 +10,7 @@ mod coupling;
 mod dof_tree;
 mod error;
 mod finding;
+mod mechanism;
 mod plausible;
 mod random;
 mod topology;
@@ -21,6 +22,7 @@ pub use coupling::Coupling;
 pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};
 pub use finding::Finding;
+pub(crate) use mechanism::{Mechanism, Member, MotionKind, Twist, with_twist};
 pub use random::Random;
 
 use crate::error::InputError;
@@ -40,6 +42,7 @@ pub const DENSE_LIMIT: usize = 20_000;
 pub struct Model<T> {
     pub(crate) name: String,
     pub(crate) bodies: Vec<Body<T>>,
+    pub(crate) mechanism: Mechanism<T>,
     pub(crate) links: Vec<LinkInfo<T>>,
     pub(crate) joints: Vec<JointInfo<T>>,
     pub(crate) dofs: DofTree,

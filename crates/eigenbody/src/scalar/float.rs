@@ -1,14 +1,23 @@
 //! f32 and f64 as scalars.
 
-use super::{Dd, Real, Scalar};
+use super::{Dd, Fused, Real, Scalar, Trig};
 
 macro_rules! float {
-    ($T:ident) => {
+    ($T:ident, $trig:expr) => {
         impl Scalar for $T {
             type Constant = Self;
             #[inline(always)]
             fn constant(c: Self) -> Self {
                 c
+            }
+            type Stored = Self;
+            #[inline(always)]
+            fn load(x: Self) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn store(self) -> Self {
+                self
             }
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -45,9 +54,15 @@ macro_rules! float {
             fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
                 if self < other { yes } else { no }
             }
+            #[inline(always)]
+            fn any_above(self, bound: Self) -> bool {
+                self > bound
+            }
         }
 
         impl Real for $T {
+            type Fused = Fused<$T>;
+            const TRIG: Option<Trig<Self>> = Some($trig);
             const EPSILON: f64 = $T::EPSILON as f64;
             #[inline(always)]
             fn to_f64(self) -> f64 {
@@ -57,9 +72,13 @@ macro_rules! float {
             fn from_dd(x: Dd) -> Self {
                 x.hi() as $T
             }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $T::is_finite(self)
+            }
         }
     };
 }
 
-float!(f32);
-float!(f64);
+float!(f32, super::trig::SINGLE);
+float!(f64, super::trig::DOUBLE);

@@ -1,6 +1,6 @@
-//! Eight f64 side by side: one kernel call, eight shifts or eight configurations.
+//! Numbers side by side: one kernel call, several shifts or several configurations.
 
-use super::Scalar;
+use super::{Real, Scalar};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// Number of lanes of every [`Lane`] type.
@@ -16,13 +16,23 @@ pub trait Lane: Scalar<Constant = f64> {
     fn split_exponent(self) -> (Self, Self);
 }
 
-/// N f64 in an array. Eight are the lanes of a machine without wide units, and the reference for those with them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Array<const N: usize>(pub [f64; N]);
+/// As many numbers as the unit holds, as one scalar: lanes of a [`WideAlgorithm`](super::WideAlgorithm).
+pub trait Wide: Scalar<Stored = Self> {
+    /// Number of lanes.
+    const WIDTH: usize;
+    /// The first [`WIDTH`](Self::WIDTH) numbers of a slice, one a lane.
+    fn from_slice(x: &[Self::Constant]) -> Self;
+    /// Into the first [`WIDTH`](Self::WIDTH) places of a slice.
+    fn to_slice(self, out: &mut [Self::Constant]);
+}
 
-impl<const N: usize> Array<N> {
+/// N numbers in an array: the lanes of a machine without wide units, and the reference for those with them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Array<const N: usize, T = f64>(pub [T; N]);
+
+impl<const N: usize, T: Real> Array<N, T> {
     #[inline(always)]
-    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+    fn zip(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
         for k in 0..N {
             self.0[k] = f(self.0[k], other.0[k]);
         }
@@ -30,7 +40,7 @@ impl<const N: usize> Array<N> {
     }
 
     #[inline(always)]
-    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+    fn map(mut self, f: impl Fn(T) -> T) -> Self {
         for k in 0..N {
             self.0[k] = f(self.0[k]);
         }
@@ -98,7 +108,7 @@ macro_rules! lane_operators {
 }
 pub(super) use lane_operators;
 
-impl<const N: usize> Array<N> {
+impl<const N: usize, T: Real> Array<N, T> {
     #[inline(always)]
     fn plus(self, b: Self) -> Self {
         self.zip(b, |a, b| a + b)
@@ -121,19 +131,28 @@ impl<const N: usize> Array<N> {
     }
 }
 
-lane_operators!(Array<N>, const N: usize);
+lane_operators!(Array<N, T>, const N: usize, T: Real);
 
-impl<const N: usize> Scalar for Array<N> {
-    type Constant = f64;
+impl<const N: usize, T: Real> Scalar for Array<N, T> {
+    type Constant = T;
     #[inline(always)]
-    fn constant(c: f64) -> Self {
-        Self::from_f64(c)
+    fn constant(c: T) -> Self {
+        Self([c; N])
     }
-    const ZERO: Self = Self([0.0; N]);
-    const ONE: Self = Self([1.0; N]);
+    type Stored = Self;
+    #[inline(always)]
+    fn load(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn store(self) -> Self {
+        self
+    }
+    const ZERO: Self = Self([T::ZERO; N]);
+    const ONE: Self = Self([T::ONE; N]);
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
-        Self([x; N])
+        Self([T::from_f64(x); N])
     }
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -141,14 +160,18 @@ impl<const N: usize> Scalar for Array<N> {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
+        self.map(T::sqrt)
     }
     fn sin_cos(self) -> (Self, Self) {
-        (self.map(f64::sin), self.map(f64::cos))
+        let (mut sin, mut cos) = (self, self);
+        for k in 0..N {
+            (sin.0[k], cos.0[k]) = self.0[k].sin_cos();
+        }
+        (sin, cos)
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        self.map(f64::abs)
+        self.map(T::abs)
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
@@ -167,6 +190,24 @@ impl<const N: usize> Scalar for Array<N> {
             }
         }
         out
+    }
+    #[inline(always)]
+    fn any_above(self, bound: T) -> bool {
+        self.0.iter().any(|&x| x > bound)
+    }
+}
+
+impl<const N: usize, T: Real> Wide for Array<N, T> {
+    const WIDTH: usize = N;
+    #[inline(always)]
+    fn from_slice(x: &[T]) -> Self {
+        let mut lanes = [T::ZERO; N];
+        lanes.copy_from_slice(&x[..N]);
+        Self(lanes)
+    }
+    #[inline(always)]
+    fn to_slice(self, out: &mut [T]) {
+        out[..N].copy_from_slice(&self.0);
     }
 }
 

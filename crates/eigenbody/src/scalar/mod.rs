@@ -1,19 +1,24 @@
 //! What a kernel may ask of a number.
 //!
 //! [`Scalar`] has arithmetic and a branch-free choice, nothing that looks at a value and jumps: one kernel then serves
-//! f32, f64, double-double and, later, several numbers side by side. [`Real`] adds the order and the sizes that an
-//! entry point needs to decide: is this pivot positive, has this iteration settled.
+//! f32, f64, double-double, several numbers side by side, and f32 and f64 on processors with fused instructions. [`Real`] adds
+//! the order and the sizes that an entry point needs to decide: is this pivot positive, has this iteration settled.
 
 mod dd;
 mod dd_trig;
 mod float;
+mod fused;
 mod lanes;
 #[allow(unsafe_code)] // audited: see the module's two promises
 mod simd;
+mod trig;
 
 pub use dd::Dd;
-pub use lanes::{Array, LANES, Lane};
-pub use simd::{LaneAlgorithm, dispatch};
+pub use fused::Fused;
+pub use lanes::{Array, LANES, Lane, Wide};
+pub use simd::{Algorithm, Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one};
+pub use trig::Trig;
+pub(crate) use trig::sin_cos_all;
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -38,6 +43,12 @@ pub trait Scalar:
     type Constant: Real;
     /// A model's number, in every lane.
     fn constant(c: Self::Constant) -> Self;
+    /// What it is in memory: itself, or the plain number that a [`Fused`] computes with.
+    type Stored: Scalar<Constant = Self::Constant, Stored = Self::Stored>;
+    /// Out of memory.
+    fn load(x: Self::Stored) -> Self;
+    /// Into memory.
+    fn store(self) -> Self::Stored;
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -58,10 +69,16 @@ pub trait Scalar:
     fn max(self, other: Self) -> Self;
     /// `yes` where self < other, `no` elsewhere: a choice without a jump.
     fn select_lt(self, other: Self, yes: Self, no: Self) -> Self;
+    /// Whether any lane is larger than `bound`: the one question that a kernel may ask, of its input.
+    fn any_above(self, bound: Self::Constant) -> bool;
 }
 
 /// One real number that can be compared and measured.
-pub trait Real: Scalar<Constant = Self> + PartialOrd {
+pub trait Real: Scalar<Constant = Self, Stored = Self> + PartialOrd {
+    /// The same numbers, computed with on a processor that has fused multiply-add.
+    type Fused: Scalar<Constant = Self, Stored = Self>;
+    /// Polynomials for sine and cosine; none if only [`Scalar::sin_cos`] will do.
+    const TRIG: Option<Trig<Self>>;
     /// Unit round-off times two: the distance from 1 to the next number.
     const EPSILON: f64;
     /// The nearest f64.

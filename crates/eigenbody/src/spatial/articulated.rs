@@ -63,6 +63,18 @@ impl<T: Scalar> ArticulatedInertia<T> {
         Self { I: I.plus_shift(r, H0, H), H, M }
     }
 
+    /// About a point at −q z, in parallel axes.
+    #[inline(always)]
+    pub(crate) fn shifted_along_z(self, q: T) -> Self {
+        self.shifted(Vec3::new(T::ZERO, T::ZERO, q))
+    }
+
+    /// The entries in another scalar.
+    #[inline(always)]
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U + Copy) -> ArticulatedInertia<U> {
+        ArticulatedInertia { I: self.I.map(f), H: self.H.map(f), M: self.M.map(f) }
+    }
+
     /// Column K of the 6 × 6 matrix.
     #[inline(always)]
     pub(crate) fn column<const K: usize>(&self) -> Force<T> {

@@ -25,6 +25,12 @@ macro_rules! spatial_vector {
                 Self { ang, lin }
             }
 
+            /// The numbers in another scalar.
+            #[inline(always)]
+            pub fn map<U>(self, f: impl Fn(T) -> U + Copy) -> $Name<U> {
+                $Name { ang: self.ang.map(f), lin: self.lin.map(f) }
+            }
+
             /// The six numbers, angular first.
             pub fn to_array(self) -> [T; 6] {
                 let ([a, b, c], [d, e, f]) = (self.ang.to_array(), self.lin.to_array());
@@ -86,7 +92,38 @@ spatial_vector!(
     "Force (N), or linear momentum."
 );
 
+impl<T: Scalar> Force<T> {
+    /// About a point at −q z, in parallel axes.
+    #[inline(always)]
+    pub(crate) fn shifted_along_z(self, q: T) -> Self {
+        let Self { ang, lin } = self;
+        Self { ang: Vec3::new(ang.x - q * lin.y, q.mul_add(lin.x, ang.y), ang.z), lin }
+    }
+}
+
+impl<T: Scalar> Force<T> {
+    /// Number K of the six, angular first.
+    #[inline(always)]
+    pub(crate) fn component<const K: usize>(self) -> T {
+        match K {
+            0 => self.ang.x,
+            1 => self.ang.y,
+            2 => self.ang.z,
+            3 => self.lin.x,
+            4 => self.lin.y,
+            _ => self.lin.z,
+        }
+    }
+}
+
 impl<T: Scalar> Motion<T> {
+    /// At a point at q z, in parallel axes.
+    #[inline(always)]
+    pub(crate) fn shifted_along_z(self, q: T) -> Self {
+        let Self { ang, lin } = self;
+        Self { ang, lin: Vec3::new(q.mul_add(ang.y, lin.x), lin.y - q * ang.x, lin.z) }
+    }
+
     /// v · f: the power of a force along a motion.
     #[inline(always)]
     pub fn dot(self, f: Force<T>) -> T {

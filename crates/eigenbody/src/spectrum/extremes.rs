@@ -157,20 +157,6 @@ fn search(pencil: &Pencil<f64>, diagonal: &[f64]) -> (Search, Search, usize) {
     (low, high, passes)
 }
 
-/// One eigenvalue by its place, cold; none if it cannot be told from zero.
-pub(super) fn cold(pencil: &Pencil<f64>, index: usize) -> Option<f64> {
-    let mut search = Search::new(index);
-    let mut shifts = first_shifts(pencil, &pencil.diagonal());
-    for _ in 0..MAX_PASSES {
-        search.learn(&counts(pencil, shifts));
-        if search.is_settled() {
-            break;
-        }
-        search.offer(&mut shifts);
-    }
-    search.value()
-}
-
 /// Bounds of both ends, and shifts between them.
 fn first_shifts(pencil: &Pencil<f64>, diagonal: &[f64]) -> [f64; LANES] {
     let ratios = diagonal.iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);

@@ -24,7 +24,8 @@ pub(super) fn modes<const N: usize>(
     factors: &mut Factors<Array<N>>,
 ) -> Vec<Array<N>> {
     let B = pencil.metric();
-    let mut x = start(B);
+    let mut x: Vec<_> = start(B).into_iter().map(|x| Array([x; N])).collect();
+    normalise(&mut x, B);
     factors.factor(pencil, Array(shifts));
     // Of each mode, until it has settled.
     let (mut growth, mut settled) = ([0.0; N], [false; N]);
@@ -54,8 +55,8 @@ pub(super) fn modes<const N: usize>(
     x
 }
 
-/// A vector that is orthogonal to no mode, |x|_B = 1, the same in every lane.
-fn start<const N: usize>(B: &[f64]) -> Vec<Array<N>> {
+/// A vector that is orthogonal to no mode.
+pub(super) fn start(B: &[f64]) -> Vec<f64> {
     let mut random = Random::new(0x5eed);
     let mut x: Vec<f64> =
         B.iter().map(|&b| if b > 0.0 { random.between(0.5, 1.5) / b.sqrt() } else { 0.0 }).collect();
@@ -64,8 +65,6 @@ fn start<const N: usize>(B: &[f64]) -> Vec<Array<N>> {
             *x = -*x;
         }
     }
-    let mut x: Vec<_> = x.into_iter().map(|x| Array([x; N])).collect();
-    normalise(&mut x, B);
     x
 }
 

@@ -4,24 +4,42 @@
 //! σ ← λ extrapolated,  x ← mode extrapolated
 //! repeat:   y = (H − σB)⁻¹ B x      c = ŷᵀBx,  ŷ = y/|y|_B
 //!           λ = σ + c/|y|           residual |(H − λB)ŷ| = √(1 − c²)/|y|
-//!           x ← ŷ,  σ ← λ           until residual ≤ 1e-8 λ
+//!           x ← ŷ,  σ ← λ           until the residual is small
 //! ```
 //! Rayleigh-quotient iteration converges to an eigenvalue, not to a given one. Which one it is, the same factorisation tells at no
 //! cost: with k eigenvalues sought below λ, count(σ) is k for λ ≥ σ and k + 1 for λ < σ. Where the count says otherwise, as after
-//! a crossing, the end is found again by bisection and the reading says so.
+//! a crossing, the end is found again and the reading says so:
+//!
+//! ```text
+//! bracket of eigenvalue k by two counts a sweep, from its last value outwards, until it is alone in there and the bracket is short
+//! inverse iteration from its middle; what converges inside the bracket is eigenvalue k; else the bracket is shortened further
+//! ```
 
-use super::extremes::cold;
 use super::metric::Metric;
-use super::rayleigh::{modes, normalise};
+use super::rayleigh::{normalise, start};
 use super::sturm::{Diagonal, Factors, Pencil};
 use crate::error::InputError;
 use crate::model::Model;
 use crate::scalar::{Array, Scalar};
 
-/// Residual, against the eigenvalue, at which iteration stops: the value's error is its square over the gap.
-const RESIDUAL: f64 = 1e-8;
+/// Residual, against the eigenvalue, at which iteration stops. The value's error is at most that, and its square over the gap.
+const RESIDUAL: f64 = 1e-12;
+/// The same where the mode hardly turned in the last round (sin² of the angle): its part of other modes, and with it the value's error,
+/// is then small whatever the gap.
+const RESIDUAL_OF_STEADY: f64 = 1e-10;
+const STEADY: f64 = 1e-8;
 /// Rounds before an end is given up and found again.
 const ROUNDS: usize = 6;
+/// How close to its end of the spectrum a value is certified to be, where eigenvalues lie together.
+const CERTIFIED: f64 = 1e-13;
+/// Sweeps after which a bracket is as short as numbers allow, whatever it was: 280 decades, then 53 bits, by thirds.
+const SWEEPS: usize = 60;
+/// Relative width of a bracket at which inverse iteration is tried, and to which it is shortened where that fails.
+const SHORT: f64 = 0.1;
+/// Relative width at which a bracket is as good as the numbers in it.
+const WIDTH: f64 = 2.0 * f64::EPSILON;
+/// Eigenvalues below this are not told from zero.
+const SMALLEST: f64 = 1e-280;
 
 /// One end of the spectrum at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,16 +48,16 @@ pub struct Reading {
     pub value: f64,
     /// |(H − λB)x| of the mode, xᵀBx = 1, in the norm of B⁻¹.
     pub residual: f64,
-    /// Factorisations spent.
+    /// Factorisations spent on this end; where both share a sweep, one each.
     pub factorisations: usize,
-    /// The end was lost and found again by bisection.
+    /// The end was lost and found again.
     pub restarted: bool,
 }
 
 /// λmin and λmax along a motion.
 ///
-/// Starts cold; each [`update`](Self::update) costs about one factorisation and one solve of two lanes, O(N), and allocates nothing
-/// unless an end is lost. Any pace: the coarser the steps, the more rounds or restarts.
+/// Each [`update`](Self::update) costs about one factorisation and one solve of two lanes, O(N), and allocates nothing. Any pace: the
+/// coarser the steps, the more rounds or restarts. Bounded: at most 6 rounds, and for each end that is lost at most 90 more.
 ///
 /// ```
 /// use eigenbody::spectrum::{Metric, Tracker};
@@ -57,13 +75,18 @@ pub struct Reading {
 pub struct Tracker<'m> {
     model: &'m Model<f64>,
     pencil: Pencil<f64>,
+    diagonal: Diagonal<f64>,
     /// The unit-diagonal metric follows q.
-    own: Option<Diagonal<f64>>,
+    follows: bool,
+    /// What inverse iteration starts from where nothing is known.
+    start: Vec<f64>,
     factors: Factors<Array<2>>,
     /// Both modes: the last ones, the ones before, and those that are being iterated.
     x: Vec<Array<2>>,
     before: Vec<Array<2>>,
     y: Vec<Array<2>>,
+    /// One mode, while an end is found again.
+    x_lane: Vec<f64>,
     ends: [End; 2],
 }
 
@@ -103,10 +126,23 @@ impl<'m> Tracker<'m> {
             return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
         };
         let end = |index| End { index, values: [0.0; 3], known: 0 };
-        let own = matches!(metric, Metric::UnitDiagonal).then_some(diagonal);
-        let factors = Factors::new(&pencil);
+        let follows = matches!(metric, Metric::UnitDiagonal);
+        let (factors, start) = (Factors::new(&pencil), start(pencil.metric()));
         let [x, before, y] = [(); 3].map(|()| vec![Array::ZERO; nv]);
-        let mut tracker = Self { model, pencil, own, factors, x, before, y, ends: [end(0), end(last)] };
+        let ends = [end(0), end(last)];
+        let mut tracker = Self {
+            model,
+            pencil,
+            diagonal,
+            follows,
+            start,
+            factors,
+            x,
+            before,
+            y,
+            x_lane: vec![0.0; nv],
+            ends,
+        };
         for which in 0..2 {
             tracker.restart(which);
         }
@@ -118,8 +154,8 @@ impl<'m> Tracker<'m> {
     /// Errors: [`InputError`] if q does not fit; the tracker then stays where it was.
     pub fn update(&mut self, q: &[f64]) -> Result<[Reading; 2], InputError> {
         self.pencil.update(self.model, q)?;
-        if let Some(own) = &mut self.own {
-            let diagonal = own.update(&self.pencil);
+        if self.follows {
+            let diagonal = self.diagonal.update(&self.pencil);
             self.pencil.set_metric(diagonal);
         }
         Ok(self.follow())
@@ -154,8 +190,10 @@ impl<'m> Tracker<'m> {
                     continue;
                 }
                 let value = shifts[k] + c.0[k] / growth[k];
-                let residual = (1.0 - c.0[k] * c.0[k]).max(0.0).sqrt() / growth[k];
-                if residual <= RESIDUAL * value.abs() {
+                let turned = (1.0 - c.0[k] * c.0[k]).max(0.0);
+                let residual = turned.sqrt() / growth[k];
+                let enough = if turned <= STEADY { RESIDUAL_OF_STEADY } else { RESIDUAL };
+                if residual <= enough * value.abs() {
                     let expected = end.index + usize::from(value < shifts[k]);
                     lost[k] = factors.below.0[k] as usize != expected;
                     found[k] = Some(Reading { value, residual, factorisations: round, restarted: false });
@@ -170,13 +208,29 @@ impl<'m> Tracker<'m> {
             }
         }
         x.copy_from_slice(y);
-        [0, 1].map(|k| match found[k].filter(|_| !lost[k]) {
-            Some(reading) => {
+        let certified = self.certify(&found, &lost);
+        [0, 1].map(|k| match found[k] {
+            Some(reading) if !lost[k] || certified[k] => {
                 self.ends[k].settle(reading.value);
-                reading
+                let certificate = usize::from(lost[k]);
+                Reading { factorisations: reading.factorisations + certificate, ..reading }
             }
-            None => self.restart(k),
+            _ => self.restart(k),
         })
+    }
+
+    /// Where two eigenvalues lie so close together that the count speaks of both: whether none lies beyond the one that was found, by one
+    /// more count just outside of it.
+    fn certify(&mut self, found: &[Option<Reading>; 2], lost: &[bool; 2]) -> [bool; 2] {
+        let asked = [0, 1].map(|k| found[k].filter(|_| lost[k]));
+        if asked.iter().all(Option::is_none) {
+            return [false; 2];
+        }
+        let outside = [1.0 - CERTIFIED, 1.0 + CERTIFIED];
+        let shifts = [0, 1].map(|k| asked[k].map_or(0.0, |reading| outside[k] * reading.value));
+        self.factors.factor(&self.pencil, Array(shifts));
+        let below = self.factors.below.0;
+        [0, 1].map(|k| asked[k].is_some() && below[k] as usize == self.ends[k].index + k)
     }
 
     /// The next values by extrapolation through up to three, and the next modes, into `y`, through two; the last modes are kept.
@@ -191,18 +245,174 @@ impl<'m> Tracker<'m> {
         [0, 1].map(|k| ends[k].predict())
     }
 
-    /// Finds an end by bisection, without what was known.
+    /// Finds an end by bisection and inverse iteration, its last value the first guess.
     fn restart(&mut self, which: usize) -> Reading {
-        let Self { pencil, x, before, ends, .. } = self;
-        let end = &mut ends[which];
-        let value = cold(pencil, end.index).unwrap_or(0.0);
-        end.known = 0;
-        end.settle(value);
-        let mode = modes(pencil, [value], &mut Factors::new(pencil));
-        for ((x, before), Array([mode])) in x.iter_mut().zip(before).zip(mode) {
-            (x.0[which], before.0[which]) = (mode, mode);
+        let (index, guess) = (self.ends[which].index, self.ends[which].values[0]);
+        let mut bracket = self.bounds(which);
+        let mut sweeps = 0;
+        let mut width = SHORT;
+        let found = loop {
+            if !self.shorten(&mut bracket, index, guess, width, &mut sweeps) {
+                break None;
+            }
+            let rounds = self.settle_inside(which, &bracket);
+            sweeps += rounds.1;
+            let is_point = bracket.width() <= WIDTH || sweeps >= SWEEPS;
+            match rounds.0 {
+                Some(found) => break Some(found),
+                None if is_point => break Some((bracket.middle(), bracket.width() * bracket.middle())),
+                None => width = (width * 1e-3).max(WIDTH),
+            }
+        };
+        let (value, residual) = found.unwrap_or((0.0, 0.0));
+        let Self { y, x, before, ends, .. } = self;
+        for ((x, before), y) in x.iter_mut().zip(before).zip(&*y) {
+            (x.0[which], before.0[which]) = (y.0[which], y.0[which]);
         }
-        Reading { value, residual: f64::EPSILON * value, factorisations: ROUNDS, restarted: true }
+        ends[which].known = 0;
+        ends[which].settle(value);
+        Reading { value, residual, factorisations: 2 * sweeps, restarted: true }
+    }
+
+    /// A bracket that holds for certain: λmin in (0, min H_dd/B_d], λmax in [max H_dd/B_d, Σ H_dd/B_d].
+    fn bounds(&mut self, which: usize) -> Bracket {
+        let diagonal = self.diagonal.update(&self.pencil);
+        let ratios = diagonal.iter().zip(self.pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
+        let (min, max, sum) =
+            ratios.fold((f64::INFINITY, 0.0f64, 0.0), |(min, max, sum), r| (r.min(min), r.max(max), sum + r));
+        // A little outside, so that rounding in the diagonal does not matter; what is below `lo` and `hi` is known of these two alone.
+        let n = self.pencil.len();
+        match which {
+            0 => Bracket { lo: 0.0, hi: min * (1.0 + 1e-9), below: (0, n) },
+            _ => Bracket { lo: max * (1.0 - 1e-9), hi: sum * (1.0 + 1e-9), below: (0, n) },
+        }
+    }
+
+    /// Shortens the bracket of an eigenvalue, two counts a sweep, until it is alone in there and the bracket's relative width is at most
+    /// `width`, or until numbers go no further. False if the eigenvalue cannot be told from zero.
+    fn shorten(
+        &mut self,
+        bracket: &mut Bracket,
+        index: usize,
+        guess: f64,
+        width: f64,
+        sweeps: &mut usize,
+    ) -> bool {
+        while !(bracket.is_alone(index) && bracket.width() <= width)
+            && bracket.width() > WIDTH
+            && *sweeps < SWEEPS
+        {
+            let shifts = match *sweeps {
+                0 if bracket.lo == 0.0 => [0.0, guess],
+                0 => [guess, bracket.thirds()[1]],
+                1 => [guess * (1.0 - 0.4 * SHORT), guess * (1.0 + 0.4 * SHORT)],
+                _ => bracket.thirds(),
+            };
+            self.factors.factor(&self.pencil, Array(shifts));
+            *sweeps += 1;
+            for (&shift, below) in shifts.iter().zip(self.factors.below.0) {
+                let below = below as usize;
+                if shift == 0.0 && below > index {
+                    return false;
+                }
+                bracket.learn(shift, below, index);
+            }
+            if bracket.hi < SMALLEST {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Inverse iteration from the middle of a bracket: eigenvalue and residual if it settles inside, and the rounds it took.
+    fn settle_inside(&mut self, which: usize, bracket: &Bracket) -> (Option<(f64, f64)>, usize) {
+        let Self { pencil, factors, y, start, x_lane, .. } = self;
+        let B = pencil.metric();
+        y.iter_mut().zip(&*start).for_each(|(y, &x)| *y = Array([x; 2]));
+        let mut shift = bracket.middle();
+        let mut found = None;
+        let mut round = 0;
+        normalise(y, B);
+        while round < ROUNDS + 3 {
+            // Three rounds at the middle make the nearest mode stand out; from then on the shift follows.
+            if round == 0 || round >= 3 {
+                factors.factor(pencil, Array([shift; 2]));
+            }
+            round += 1;
+            // c = ŷᵀBx needs x: B x and its image are weighed in one pass.
+            let before: f64 = sum(y.iter().zip(B), |(y, b)| y.0[which] * y.0[which] * b);
+            x_lane.iter_mut().zip(&*y).for_each(|(x, y)| *x = y.0[which]);
+            y.iter_mut().zip(B).for_each(|(y, &b)| *y *= Array([b; 2]));
+            factors.solve(pencil, y);
+            let growth = normalise(y, B)[which];
+            let c: f64 = sum(y.iter().zip(&*x_lane).zip(B), |((y, x), b)| y.0[which] * x * b) / before.sqrt();
+            let value = shift + c / growth;
+            let residual = (1.0 - c * c).max(0.0).sqrt() / growth;
+            if !value.is_finite() {
+                break;
+            }
+            if round > 1 && residual <= RESIDUAL * value.abs() {
+                found = (value >= bracket.lo && value <= bracket.hi).then_some((value, residual));
+                break;
+            }
+            if round >= 3 {
+                shift = value;
+            }
+        }
+        (found, round)
+    }
+}
+
+fn sum<T>(terms: impl Iterator<Item = T>, f: impl Fn(T) -> f64) -> f64 {
+    terms.fold(0.0, |sum, term| sum + f(term))
+}
+
+/// Where an eigenvalue lies: count(lo) ≤ index < count(hi).
+#[derive(Debug, Clone, Copy)]
+struct Bracket {
+    lo: f64,
+    hi: f64,
+    /// Eigenvalues below lo and below hi.
+    below: (usize, usize),
+}
+
+impl Bracket {
+    /// Against its upper end.
+    fn width(&self) -> f64 {
+        (self.hi - self.lo) / self.hi
+    }
+
+    fn middle(&self) -> f64 {
+        self.lo + 0.5 * (self.hi - self.lo)
+    }
+
+    fn is_alone(&self, index: usize) -> bool {
+        self.below == (index, index + 1)
+    }
+
+    /// Two shifts in between, of equal steps of log σ where hi/lo > 2; far down where there is no lower bound yet.
+    fn thirds(&self) -> [f64; 2] {
+        let Self { lo, hi, .. } = *self;
+        if lo == 0.0 {
+            [hi * 1e-6, hi * 0.1]
+        } else if hi > 2.0 * lo {
+            let ratio = (hi / lo).cbrt();
+            [lo * ratio, lo * ratio * ratio]
+        } else {
+            [lo + (hi - lo) / 3.0, lo + (hi - lo) / 1.5]
+        }
+    }
+
+    /// Takes note of a count, if the shift is strictly inside.
+    fn learn(&mut self, shift: f64, below: usize, index: usize) {
+        if !(shift >= self.lo && shift <= self.hi) {
+            return;
+        }
+        if below > index {
+            (self.hi, self.below.1) = (shift, below);
+        } else {
+            (self.lo, self.below.0) = (shift, below);
+        }
     }
 }
 

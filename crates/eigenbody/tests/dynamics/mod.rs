@@ -2,6 +2,7 @@
 
 mod aba;
 mod bias;
+mod closure;
 mod crba;
 mod denoc;
 mod energy;
@@ -10,8 +11,10 @@ mod gradient;
 mod inertial;
 mod kinematics;
 mod momentum;
+mod plain;
 mod reduction;
 mod rounding;
+mod turns;
 
 use eigenbody::Model;
 use eigenbody::scalar::{Dd, Real, Scalar};

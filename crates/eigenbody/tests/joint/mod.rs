@@ -125,3 +125,78 @@ fn spherical_steps_are_rotations_about_their_axis() {
         assert!(error <= 64.0 * Dd::EPSILON, "{error:e}");
     }
 }
+
+/// to ⊖ from leads from one to the other, near or far, and back.
+#[test]
+fn differences_lead_from_one_to_the_other() {
+    for (k, kind) in KINDS.into_iter().enumerate() {
+        let model = one_joint(kind());
+        for (round, speed) in [1e-20, 1e-9, 1e-4, 0.03, 0.9, 3.0].into_iter().enumerate() {
+            let from = configuration(&model, (10 * k + round) as u64);
+            let v: Vec<Dd> =
+                numbers(model.nv(), round as u64).into_iter().map(|v: Dd| v * Dd::from_f64(speed)).collect();
+            let to = model.integrate(&from, &v).unwrap();
+            let there = model.integrate(&from, &model.difference(&from, &to).unwrap()).unwrap();
+            let poses = [&to, &there].map(|q| link_pose(&model, q, 1).unwrap());
+            // the Bernoulli series is cut at 1e-24
+            let error = distance(&poses[0], &poses[1]);
+            assert!(error <= 1e-22 * (1.0 + speed), "{} at {speed}: {error:e}", kind().kind());
+        }
+    }
+}
+
+/// θ + δ θ̇ is where δ v leads from q₀ ⊕ θ, to second order in δ = 1e-12.
+#[test]
+fn tangent_rates_are_velocities() {
+    let delta = Dd::from_f64(1e-12);
+    for kind in KINDS {
+        let (model, joint) = (one_joint(kind()), kind());
+        for (round, turn) in [1e-3, 0.4, 0.7, 2.5].into_iter().enumerate() {
+            let q = configuration(&model, round as u64);
+            let theta: Vec<Dd> =
+                numbers(model.nv(), 1 + round as u64).iter().map(|&x: &Dd| x * Dd::from_f64(turn)).collect();
+            let v: Vec<Dd> = numbers(model.nv(), 70 + round as u64);
+            let mut rate = v.clone();
+            joint.tangent_rate(&theta, &v, &mut rate);
+            let along =
+                |a: &[Dd], b: &[Dd]| -> Vec<Dd> { a.iter().zip(b).map(|(&a, &b)| a + delta * b).collect() };
+            let inside = model.integrate(&q, &along(&theta, &rate)).unwrap();
+            let zero = vec![Dd::ZERO; v.len()];
+            let outside = model.integrate(&model.integrate(&q, &theta).unwrap(), &along(&zero, &v)).unwrap();
+            let error =
+                distance(&link_pose(&model, &inside, 1).unwrap(), &link_pose(&model, &outside, 1).unwrap());
+            assert!(error <= 100.0 * 1e-24, "{} at {turn}: {error:e}", joint.kind());
+        }
+    }
+}
+
+/// ⟨dexp⁻ᵀ_u f, v⟩ = ⟨f, dexp_u⁻¹ v⟩, and dexpᵀ undoes dexp⁻ᵀ.
+#[test]
+fn duals_are_transposes() {
+    for kind in KINDS {
+        let joint = kind();
+        let n = joint.nv();
+        for (round, turn) in [1e-3, 0.4, 0.7, 2.5].into_iter().enumerate() {
+            let scaled = |seed: u64, by: f64| -> Vec<Dd> {
+                numbers(n, seed).iter().map(|&x: &Dd| x * Dd::from_f64(by)).collect()
+            };
+            let (u, f, v) = (scaled(round as u64, turn), scaled(40, 1.0), scaled(50, 1.0));
+            let minus: Vec<Dd> = u.iter().map(|&u| -u).collect();
+            let (mut dual, mut rate, mut back) = (f.clone(), v.clone(), f.clone());
+            joint.dexp_inverse_dual(&u, &f, &mut dual);
+            // dexp_u⁻¹ is the rate against −u
+            joint.tangent_rate(&minus, &v, &mut rate);
+            let dot = |a: &[Dd], b: &[Dd]| a.iter().zip(b).fold(Dd::ZERO, |sum, (&a, &b)| sum + a * b);
+            let error = (dot(&dual, &v) - dot(&f, &rate)).abs().to_f64();
+            assert!(error <= 1e-26, "{} at {turn}: {error:e}", joint.kind());
+            joint.dexp_dual(&u, &dual, &mut back);
+            let error = back.iter().zip(&f).fold(0.0f64, |m, (&a, &b)| m.max((a - b).abs().to_f64()));
+            // both series are cut, at 1e-24 and, for |u| = 4.3, at 4.3³⁰/31!
+            assert!(
+                error <= 1e-12f64.min(1e-21 + 1e-15 * turn.powi(20)),
+                "{} at {turn}: {error:e}",
+                joint.kind()
+            );
+        }
+    }
+}

@@ -14,7 +14,7 @@
 //! the mode; the condition number of H does not enter.
 
 use super::carry::Carry;
-use super::hinge::{Hinge, moved};
+use super::hinge::Hinge;
 use super::pencil::{Node, Pencil};
 use super::sweep::{Pivots, sweep};
 use crate::joint::Column;
@@ -81,7 +81,7 @@ fn geometry<T: Scalar<Constant = f64>>(
         let mut size = reach(&X_up, motions[p]);
         for (d, &column) in node.dofs().zip(node.columns) {
             let S = Motion::new(absolute(S[d].ang), absolute(S[d].lin));
-            size = moved(size, column, S, x[d].abs());
+            size = column.moved(size, S.map(T::constant), x[d].abs());
         }
         total += size.dot(Force::new(absolute(f.ang), absolute(f.lin)));
     }
@@ -112,7 +112,7 @@ fn absolute<T: Scalar>(v: Vec3<T>) -> Vec3<T> {
 impl<T: Scalar<Constant = f64>> Pivots<T> for Sum<'_, T> {
     #[inline(always)]
     fn pivot(&mut self, d: usize, column: Column, hinge: &Hinge<T>) {
-        self.a = moved(self.a, column, self.pencil.S[d], -self.x[d]);
+        self.a = column.moved(self.a, self.pencil.S[d].map(T::constant), -self.x[d]);
         self.total += size(&hinge.IA, self.a);
     }
 

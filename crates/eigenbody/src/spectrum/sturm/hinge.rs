@@ -23,35 +23,6 @@ pub(super) struct Hinge<T> {
     pub D_inverse: T,
 }
 
-/// Sᵀ f.
-#[inline(always)]
-pub(super) fn along<T: Scalar>(column: Column, S: Motion<T::Constant>, f: Force<T>) -> T {
-    match column {
-        Column::AngX => f.ang.x,
-        Column::AngY => f.ang.y,
-        Column::AngZ => f.ang.z,
-        Column::LinX => f.lin.x,
-        Column::LinY => f.lin.y,
-        Column::LinZ => f.lin.z,
-        Column::General => Motion::new(S.ang.map(T::constant), S.lin.map(T::constant)).dot(f),
-    }
-}
-
-/// a + S x.
-#[inline(always)]
-pub(super) fn moved<T: Scalar>(mut a: Motion<T>, column: Column, S: Motion<T::Constant>, x: T) -> Motion<T> {
-    match column {
-        Column::AngX => a.ang.x += x,
-        Column::AngY => a.ang.y += x,
-        Column::AngZ => a.ang.z += x,
-        Column::LinX => a.lin.x += x,
-        Column::LinY => a.lin.y += x,
-        Column::LinZ => a.lin.z += x,
-        Column::General => a += Motion::new(S.ang.map(T::constant), S.lin.map(T::constant)) * x,
-    }
-    a
-}
-
 /// Eliminates the hinge with column S.
 #[inline(always)]
 pub(super) fn eliminate<T: Scalar>(

@@ -7,7 +7,7 @@
 //! The articulated-body algorithm on a robot at rest, with −σB in its hinges. Over lanes: as many shifts, each with its own system.
 
 use super::carry::Carry;
-use super::hinge::{Hinge, along, moved};
+use super::hinge::Hinge;
 use super::pencil::Pencil;
 use super::sweep::{Pivots, sweep};
 use crate::joint::Column;
@@ -54,7 +54,7 @@ impl<T: Scalar> Factors<T> {
         for node in nodes.iter().rev() {
             let mut p_i = carry.collect(node, Force::ZERO);
             for (d, &column) in node.dofs().zip(node.columns).rev() {
-                x[d] -= along(column, S[d], p_i);
+                x[d] -= column.along(S[d].map(T::constant), p_i);
                 p_i += U[d] * (D_inverse[d] * x[d]);
             }
             carry.hand_down(node.route, || node.X_up.map(T::constant).transpose_force(p_i));
@@ -64,7 +64,7 @@ impl<T: Scalar> Factors<T> {
             let mut a_i = node.parent().map_or(Motion::ZERO, |parent| X_up.motion(a[parent]));
             for (d, &column) in node.dofs().zip(node.columns) {
                 x[d] = (x[d] - a_i.dot(U[d])) * D_inverse[d];
-                a_i = moved(a_i, column, S[d], x[d]);
+                a_i = column.moved(a_i, S[d].map(T::constant), x[d]);
             }
             a[i] = a_i;
         }

@@ -1,0 +1,81 @@
+//! eigenbody itself: one configuration at a time, one thread, caller's workspaces.
+
+use std::error::Error;
+
+use eigenbody::dynamics::{
+    AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into,
+    inverse_dynamics_into, mass_matrix_into,
+};
+use eigenbody::spectrum::eigenvalues;
+use eigenbody::{Matrix, Model};
+
+use crate::Outcome;
+use crate::contest::Contestant;
+use crate::eigen::matrices;
+use crate::robot::{Robot, Sample};
+
+/// All quantities of one robot.
+pub struct Ours<'a> {
+    model: &'a Model<f64>,
+    crba: CrbaWorkspace<f64>,
+    rnea: RneaWorkspace<f64>,
+    aba: AbaWorkspace<f64>,
+    H: Matrix<f64>,
+    /// H of every sample.
+    given: Vec<Matrix<f64>>,
+    ends: [f64; 2],
+    out: Vec<f64>,
+}
+
+impl<'a> Ours<'a> {
+    pub fn new(robot: &'a Robot) -> Result<Self, Box<dyn Error>> {
+        let model = &robot.model;
+        let nv = model.nv();
+        Ok(Self {
+            model,
+            crba: CrbaWorkspace::new(model),
+            rnea: RneaWorkspace::new(model),
+            aba: AbaWorkspace::new(model),
+            H: Matrix::zeros(nv, nv),
+            given: matrices(robot)?,
+            ends: [0.0; 2],
+            out: vec![0.0; nv],
+        })
+    }
+}
+
+/// Smallest and largest eigenvalue.
+fn both(H: &Matrix<f64>) -> Result<[f64; 2], Box<dyn Error>> {
+    let values = eigenvalues(H, &vec![1.0; H.rows()])?;
+    Ok([values[0], values[values.len() - 1]])
+}
+
+impl Contestant for Ours<'_> {
+    fn quantities(&self) -> &'static [&'static str] {
+        &["crba", "rnea", "aba", "bias", "extremes", "eigenvalues"]
+    }
+
+    fn compute(&mut self, quantity: &str, sample: usize, Sample { q, v, x }: &Sample) -> Outcome {
+        let Self { model, crba, rnea, aba, H, given, out, ends } = self;
+        match quantity {
+            "crba" => mass_matrix_into(model, q, crba, H)?,
+            "rnea" => inverse_dynamics_into(model, q, v, x, rnea, out)?,
+            "aba" => forward_dynamics_into(model, q, v, x, aba, out)?,
+            "bias" => bias_force_into(model, q, v, rnea, out)?,
+            "extremes" => {
+                mass_matrix_into(model, q, crba, H)?;
+                *ends = both(H)?;
+            }
+            _ => *ends = both(&given[sample])?,
+        }
+        Ok(())
+    }
+
+    fn value(&mut self, quantity: &str) -> Vec<f64> {
+        match quantity {
+            "crba" => self.H.as_slice().to_vec(),
+            "extremes" | "eigenvalues" => self.ends.to_vec(),
+            _ => self.out.clone(),
+        }
+    }
+}

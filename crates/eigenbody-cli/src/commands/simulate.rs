@@ -1,0 +1,243 @@
+//! `eigenbody simulate`.
+
+use super::motion::{Ending, Recorder, quantities};
+use super::positive;
+use crate::args::{DynamicsArg, MethodOfMotion, SimulateArgs, Switch};
+use crate::failure::Failure;
+use crate::system::robot;
+use eigenbody::dynamics::energy;
+use eigenbody::spatial::Vec3;
+use eigenbody::spectrum::Tracker;
+use eigenbody::stability::{Spring, SpringSource};
+use eigenbody::{Metric, Model, Reduction};
+use eigenbody_formats::motion::Wanted;
+use eigenbody_formats::{Loaded, Motion, MotionOptions, gains, velocity};
+use eigenbody_study::simulate::{
+    Algorithm, Controller, DORMAND_PRINCE, Forces, Method, RK4, Report, Simulation, State, Steps, Trajectory,
+    Watch, joint_limits,
+};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Instant;
+
+/// Events that are printed; more are counted.
+const PRINTED: usize = 20;
+
+/// Simulates, row by row.
+pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
+    let Some(quantities) = quantities(&args.rows)? else { return Ok(Ending::Whole) };
+    let (loaded, reduction) = robot(&args.model)?;
+    let name = &args.model.model;
+    let q = loaded.configuration(&args.initial, reduction.mimic)?;
+    let v = velocity(&args.velocity, &loaded.model)?;
+    let forces = forces(args, &loaded, reduction)?;
+    let is_free = forces.springs.is_empty() && forces.controller.is_none() && forces.torque.is_none();
+    let model = match args.gravity {
+        Switch::On => loaded.model.clone(),
+        Switch::Off => loaded.model.clone().with_gravity(Vec3::ZERO),
+    };
+    let (method, steps) = method(args)?;
+    let algorithm = match (args.dynamics, model.coupling().is_some() && reduction.mimic) {
+        (_, true) => Algorithm::Coupled,
+        (DynamicsArg::Aba, false) => Algorithm::Aba,
+        (DynamicsArg::Crba, false) => Algorithm::CrbaLtl,
+    };
+    let (time, rate) = (positive("--time", args.time)?, positive("--rate", args.rate)?);
+    let intervals = (time * rate).round().max(1.0);
+    if intervals > 1e9 {
+        return Err(Failure::Usage(format!("--time {time} --rate {rate}: more than 1e9 rows")));
+    }
+    let refused = |source| Failure::Simulation { model: name.clone(), source };
+    let mut simulation =
+        Simulation::new(&model, &q, &v, method, steps, forces, algorithm).map_err(refused)?;
+    let mut watches = joint_limits(&model);
+    for event in &args.event {
+        watches.push(level(event, &model, reduction, &q)?);
+    }
+    let mut recorder = Recorder::new(&model, name, reduction, &quantities, true, &args.rows)?;
+
+    let start = Instant::now();
+    let mut book = Book::default();
+    let mut events = 0;
+    let mut failure = None;
+    let outcome = simulation.run(time, intervals as usize, &mut watches, &mut |report| {
+        match report {
+            Report::Event(event) => {
+                events += 1;
+                if events <= PRINTED {
+                    recorder.say(&format!("t = {:.6} s: {}", event.t, event.what));
+                }
+            }
+            Report::Sample(state) => {
+                book.enter(&model, state);
+                if let Err(error) = recorder.record(state, state.t / time) {
+                    failure = Some(error);
+                    return ControlFlow::Break(());
+                }
+            }
+        }
+        if recorder.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    if let Some(failure) = failure {
+        return Err(failure);
+    }
+    if events > PRINTED {
+        recorder.say(&format!("{} more events", events - PRINTED));
+    }
+    let ending = match outcome {
+        Ok(ControlFlow::Continue(())) => Ending::Whole,
+        Ok(ControlFlow::Break(())) => {
+            recorder.say("interrupted: the rows so far are written");
+            Ending::Interrupted
+        }
+        Err(error) if error.is_along_the_way() => {
+            recorder.say(&format!("{error}; the rows so far are written"));
+            Ending::BlownUp
+        }
+        Err(error) => return Err(refused(error)),
+    };
+    let effort = simulation.effort();
+    recorder.finish(&args.rows, start.elapsed())?;
+    eprintln!(
+        "  {}: {} steps, {} refused, {} accelerations",
+        method.name(),
+        effort.steps,
+        effort.refused,
+        effort.evaluations
+    );
+    book.close(is_free);
+    Ok(ending)
+}
+
+/// Energy along the rows.
+#[derive(Default)]
+struct Book {
+    first: Option<f64>,
+    drift: f64,
+    largest: f64,
+}
+
+impl Book {
+    fn enter(&mut self, model: &Model<f64>, state: &State) {
+        let Ok(energy) = energy(model, &state.q, &state.v) else { return };
+        let total = energy.kinetic + energy.potential;
+        let first = *self.first.get_or_insert(total);
+        self.drift = self.drift.max((total - first).abs());
+        self.largest = self.largest.max(energy.kinetic);
+    }
+
+    fn close(&self, is_free: bool) {
+        let why = if is_free { "" } else { ", work of forces included" };
+        if self.largest > 0.0 {
+            let part = self.drift / self.largest;
+            eprintln!("  energy changes by up to {part:.1e} of the largest kinetic energy{why}");
+        }
+    }
+}
+
+fn method(args: &SimulateArgs) -> Result<(Method, Steps), Failure> {
+    let fixed = || Ok::<_, Failure>(Steps::Fixed(positive("--step", args.step)?));
+    Ok(match args.method {
+        MethodOfMotion::Euler => (Method::SemiImplicitEuler, fixed()?),
+        MethodOfMotion::Rk4 => (Method::RungeKutta(RK4), fixed()?),
+        MethodOfMotion::Midpoint => (Method::ImplicitMidpoint, fixed()?),
+        MethodOfMotion::Dopri5 => {
+            let tolerance = positive("--tolerance", args.tolerance)?;
+            (Method::RungeKutta(DORMAND_PRINCE), Steps::Adaptive(tolerance))
+        }
+    })
+}
+
+fn forces(args: &SimulateArgs, loaded: &Loaded, reduction: Reduction) -> Result<Forces, Failure> {
+    let model = &loaded.model;
+    let numbers = |source: eigenbody::InputError| Failure::Numbers {
+        model: args.model.model.clone(),
+        source: source.into(),
+    };
+    let mut springs = match args.springs {
+        Switch::On => loaded.springs.clone(),
+        Switch::Off => Vec::new(),
+    };
+    // An actuator's feedback is a controller, and that is --hold.
+    springs.retain(|spring| spring.source != SpringSource::Actuator);
+    let mut more = |text: &Option<String>, part: fn(&mut Spring) -> &mut f64| -> Result<(), Failure> {
+        let Some(text) = text else { return Ok(()) };
+        for (d, gain) in gains(text, model)?.into_iter().enumerate() {
+            let Some(gain) = gain else { continue };
+            let (name, arms, source) = (model.dof_name(d), vec![(d, 1.0)], SpringSource::Joint);
+            let mut spring = Spring { name, source, arms, stiffness: 0.0, damping: 0.0 };
+            *part(&mut spring) = gain;
+            springs.push(spring);
+        }
+        Ok(())
+    };
+    more(&args.damping, |spring| &mut spring.damping)?;
+    more(&args.stiffness, |spring| &mut spring.stiffness)?;
+    springs.retain(|spring| spring.stiffness != 0.0 || spring.damping != 0.0);
+    let target = match (&args.hold, &args.follow) {
+        (Some(posture), _) => Some(Trajectory::constant(loaded.configuration(posture, reduction.mimic)?)),
+        (None, Some(file)) => Some(trajectory(file, model, reduction, Wanted::Configurations)?),
+        (None, None) => None,
+    };
+    let (frequency, ratio) =
+        (positive("--bandwidth", args.bandwidth)?, positive("--damping-ratio", args.damping_ratio)?);
+    let controller = target
+        .map(|target| Controller::tuned(model, target, frequency, ratio))
+        .transpose()
+        .map_err(numbers)?;
+    let torque = match &args.torque {
+        Some(file) => Some(trajectory(file, model, reduction, Wanted::Forces)?),
+        None => None,
+    };
+    let rest = loaded.configuration(&args.rest, reduction.mimic)?;
+    Ok(Forces { springs, rest, controller, torque })
+}
+
+/// A table as a trajectory.
+fn trajectory(
+    file: &Path,
+    model: &Model<f64>,
+    reduction: Reduction,
+    wanted: Wanted,
+) -> Result<Trajectory, Failure> {
+    let options = MotionOptions { mimic: reduction.mimic, wanted, ..MotionOptions::default() };
+    let mut table = Motion::open(file, model, options)?;
+    let (mut times, mut rows) = (Vec::new(), Vec::new());
+    while let Some(row) = table.next_row()? {
+        times.push(row.t);
+        rows.push(row.q);
+    }
+    let width = if wanted == Wanted::Forces { model.nv() } else { model.nq() };
+    Trajectory::new(times, rows, width)
+        .map_err(|error| Failure::Usage(format!("{}: {error}", file.display())))
+}
+
+/// `kappa=1e5`: where a quantity crosses a level.
+fn level<'a>(
+    text: &str,
+    model: &'a Model<f64>,
+    reduction: Reduction,
+    q: &[f64],
+) -> Result<Watch<'a>, Failure> {
+    let usage = |what: &str| Failure::Usage(format!("--event {text}: {what}"));
+    let (name, level) = text.split_once('=').ok_or_else(|| usage("expected QUANTITY=X"))?;
+    let level: f64 = level.trim().parse().map_err(|_| usage("expected a number"))?;
+    let (metric, value): (_, fn([f64; 2]) -> f64) = match name.trim() {
+        "kappa" => (Metric::Euclidean, |[min, max]| max / min),
+        "kappa_weighted" => (Metric::UnitDiagonal, |[min, max]| max / min),
+        "lambda_min" => (Metric::Euclidean, |[min, _]| min),
+        "lambda_max" => (Metric::Euclidean, |[_, max]| max),
+        _ => return Err(usage("known: kappa, kappa_weighted, lambda_min, lambda_max")),
+    };
+    if reduction.mimic && model.coupling().is_some() {
+        return Err(usage("not where mimic joints follow; see --mimic off"));
+    }
+    let name = name.trim().to_owned();
+    let mut tracker =
+        Tracker::new(model, q, &metric, reduction.base).map_err(|error| usage(&error.to_string()))?;
+    let words = |verb: &str| format!("{name} {verb} {level}");
+    Ok(Watch::new(words("rises above"), words("falls below"), move |state: &State| {
+        // A state that does not fit has no value, and the motion ends for a better reason.
+        tracker.update(&state.q).map_or(f64::NAN, |ends| value(ends.map(|end| end.value)) - level)
+    }))
+}

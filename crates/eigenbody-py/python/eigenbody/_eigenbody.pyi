@@ -1,0 +1,308 @@
+"""The native half: arrays in, arrays out."""
+
+import os
+import pathlib
+from collections.abc import Sequence
+from typing import Any, Literal, TypeAlias, final, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from eigenbody._results import Conditioning, Conditionings, Diagnosis, WorstCase
+
+__all__ = ["Model", "Parts", "SweepPlan", "Tracker", "__version__", "reproduce"]
+__version__: str
+
+_Floats: TypeAlias = NDArray[np.float64]
+# float64, or float32 if all arrays that were given are float32.
+_Numbers: TypeAlias = NDArray[Any]
+_Base: TypeAlias = Literal["fixed", "floating"]
+_Path: TypeAlias = str | os.PathLike[str]
+_Method: TypeAlias = Literal["auto", "dense", "sturm"]
+_Precision: TypeAlias = Literal["auto", "f64", "dd"]
+
+@final
+class Parts:
+    """A robot given link by link, joints in the order of their degrees of freedom: `Model(parts)` builds it."""
+
+    def __new__(cls, name: str, /, *, gravity: Sequence[float] = ...) -> Parts: ...
+    def link(
+        self,
+        name: str,
+        /,
+        *,
+        mass: float = 0.0,
+        com: Sequence[float] = ...,
+        inertia: Sequence[Sequence[float]] = ...,
+    ) -> int:
+        """Adds a link; its number. Mass in kg, centre of mass in m, inertia (3, 3) about it in kg m², in the link's axes."""
+
+    def joint(
+        self,
+        name: str,
+        kind: str,
+        /,
+        *,
+        parent: int,
+        child: int,
+        rotation: Sequence[Sequence[float]] = ...,
+        position: Sequence[float] = ...,
+        axis: Sequence[float] = ...,
+        armature: Sequence[float] = ...,
+        limits: tuple[float, float] | None = None,
+    ) -> int:
+        """Adds a joint between two links; its number.
+
+        `kind`: fixed, revolute, continuous, prismatic, cylindrical, planar, spherical or floating. `rotation` (3, 3) and `position`
+        (m) place the joint's frame, which is the child's, in the parent's.
+        """
+
+@final
+class Model:
+    """A robot: a tree of rigid bodies and joints.
+
+    `model` is a URDF, MJCF or SDF file, `puma560`, a family such as ``'hydra(40,1,0,1)'``, or `Parts`. `mimic`: mimic joints follow
+    (None: as the command line); `reduced`: a floating base is removed, H is H*; `rotors`: rotor inertia of URDF transmissions
+    counts. Raises ModelError with file, line and column.
+
+    Every function of q takes ``(nq,)`` or a batch ``(k, nq)``; a single row stands in for every row of a batch; `out` takes
+    the result. If all arrays are float32 the computation is.
+    """
+
+    def __new__(
+        cls, model: _Path | Parts, /, *, base: _Base = "fixed", mimic: bool | None = None, reduced: bool = False, rotors: bool = False
+    ) -> Model: ...
+    @staticmethod
+    def from_urdf(
+        path: _Path, /, *, base: _Base = "fixed", mimic: bool | None = None, reduced: bool = False, rotors: bool = False
+    ) -> Model:
+        """A URDF file."""
+
+    @staticmethod
+    def from_mjcf(path: _Path, /, *, base: _Base = "fixed", mimic: bool | None = None, reduced: bool = False) -> Model:
+        """An MJCF file."""
+
+    @staticmethod
+    def from_sdf(path: _Path, /, *, base: _Base = "fixed", mimic: bool | None = None, reduced: bool = False) -> Model:
+        """An SDF file."""
+
+    @staticmethod
+    def hydra(n: int, /, branching: float = 1.0, skew: float = 0.0, taper: float = 1.0, *, base: _Base = "fixed") -> Model:
+        """Featherstone's hydra: n tubes of 1 m and 1 kg, each `taper` times as large as its parent."""
+
+    @staticmethod
+    def onion(n: int, /, branching: float = 1.0, skew: float = 0.0, taper: float = 1.0, *, base: _Base = "fixed") -> Model:
+        """Featherstone's onion: hydra with all joints in one place."""
+
+    @staticmethod
+    def auto_tree(n: int, /, branching: float = 1.0, skew: float = 0.0, taper: float = 1.0, *, base: _Base = "fixed") -> Model:
+        """Hydra's links with joints of every kind."""
+
+    @staticmethod
+    def chain(n: int, /, *, mass: float = 1.0, length: float = 1.0) -> Model:
+        """n slender rods, horizontal at q = 0."""
+
+    @staticmethod
+    def puma560() -> Model:
+        """The PUMA 560."""
+
+    @staticmethod
+    def from_pinocchio(model: Any, /) -> Model:
+        """A live `pinocchio.Model`: joints in its order. Coordinates are ours; see `Layout`."""
+
+    @staticmethod
+    def from_mujoco(model: Any, /) -> Model:
+        """A live `mujoco.MjModel`: joints in its order. Coordinates are ours; see `Layout`."""
+
+    def __reduce__(self) -> tuple[Any, ...]: ...
+    @property
+    def name(self) -> str:
+        """What it was made of."""
+
+    @property
+    def nq(self) -> int:
+        """_Numbers in q."""
+
+    @property
+    def nv(self) -> int:
+        """Degrees of freedom: numbers in v."""
+
+    @property
+    def nbodies(self) -> int:
+        """Moving bodies."""
+
+    @property
+    def has_floating_base(self) -> bool:
+        """The first joint is a floating base."""
+
+    @property
+    def dof_names(self) -> list[str]:
+        """One name a row of H."""
+
+    @property
+    def link_names(self) -> list[str]:
+        """All links, merged ones included."""
+
+    @property
+    def joints(self) -> list[tuple[str, str, int, int]]:
+        """Name, kind, first coordinate and first degree of freedom of every moving joint, among all of them."""
+
+    @property
+    def limits(self) -> _Floats:
+        """(2, nq): lower and upper limits, infinite where there is none."""
+
+    @property
+    def armature(self) -> _Floats:
+        """Rotor inertia reflected to each degree of freedom (kg m², kg)."""
+
+    @property
+    def gravity(self) -> _Floats:
+        """(3,): m/s²."""
+
+    @property
+    def findings(self) -> list[str]:
+        """What is suspicious about the model, with file and line."""
+
+    @property
+    def keyframes(self) -> dict[str, _Floats]:
+        """Configurations that the file names."""
+
+    def neutral(self) -> _Floats:
+        """(nq,): zero, quaternions the identity."""
+
+    def random(self, seed: int = 1, count: int | None = None) -> _Floats:
+        """A random configuration within limits, (nq,), or `count` of them, (count, nq): of seeds seed, seed + 1, .."""
+
+    def configuration(self, text: str, /) -> _Floats:
+        """What the command line's `--at` takes: 'zag(pi/2)', 'elbow=0.3', 'random(7)', a keyframe's name."""
+
+    def with_armature(self, armature: ArrayLike, /) -> Model:
+        """The same with other armature, (nv,)."""
+
+    def with_gravity(self, gravity: Sequence[float], /) -> Model:
+        """The same with other gravity, (3,), m/s²."""
+
+    def to_urdf(self) -> str:
+        """As URDF, fixed joints merged."""
+
+    def to_mjcf(self) -> str:
+        """As MJCF, fixed joints merged."""
+
+    def mass_matrix(self, q: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """H(q): (n, n) or (k, n, n), both triangles; by composite rigid bodies."""
+
+    def crba(self, q: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """`mass_matrix`."""
+
+    def inverse_dynamics(self, q: ArrayLike, v: ArrayLike, a: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """τ = H a + C: (nv,) or (k, nv); by recursive Newton-Euler."""
+
+    def rnea(self, q: ArrayLike, v: ArrayLike, a: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """`inverse_dynamics`."""
+
+    def forward_dynamics(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """a = H⁻¹ (τ − C): (nv,) or (k, nv); by articulated bodies."""
+
+    def aba(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """`forward_dynamics`."""
+
+    def bias_force(self, q: ArrayLike, v: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """C(q, v): gravity, Coriolis and centrifugal forces; (nv,) or (k, nv)."""
+
+    def gravity_force(self, q: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
+        """C(q, 0): (nv,) or (k, nv)."""
+
+    def spectrum(self, q: ArrayLike, /, *, metric: str = "euclidean", out: _Floats | None = None) -> _Floats:
+        """All eigenvalues of H x = λ B x, ascending: (n,) or (k, n)."""
+
+    def extremes(self, q: ArrayLike, /, *, metric: str = "euclidean", out: _Floats | None = None) -> _Floats:
+        """λmin and λmax: (2,) or (k, 2); NaN where λmin cannot be told from zero."""
+
+    @overload
+    def conditioning(
+        self,
+        q: str | None = None,
+        /,
+        *,
+        metric: str = "euclidean",
+        method: _Method = "auto",
+        precision: _Precision = "auto",
+        all: bool = False,
+    ) -> Conditioning:
+        """κ, κ′, bracket and modes: a `Conditioning`, or `Conditionings` of a batch. None: zero. `all`: all eigenvalues too."""
+
+    @overload
+    def conditioning(
+        self,
+        q: ArrayLike,
+        /,
+        *,
+        metric: str = "euclidean",
+        method: _Method = "auto",
+        precision: _Precision = "auto",
+        all: bool = False,
+    ) -> Any: ...
+    def check(
+        self,
+        *,
+        metric: str = "euclidean",
+        samples: int = 2048,
+        seed: int = 1,
+        max_kappa_weighted: float | None = None,
+        max_kappa: float | None = None,
+        f32_digits: float | None = None,
+    ) -> Diagnosis:
+        """What is wrong over all that the joints allow: as `eigenbody check`."""
+
+    def worst_case(self, *, metric: str = "euclidean", samples: int = 2048, seed: int = 1) -> dict[str, WorstCase]:
+        """The worst configuration by `kappa`, `kappa_weighted` and `lambda_min`."""
+
+    def _repr_html_(self) -> str: ...
+
+@final
+class Tracker:
+    """λmin and λmax along a motion, exact, at about one factorisation a step. Starts at q."""
+
+    def __new__(cls, model: Model, q: ArrayLike, /, *, metric: str = "euclidean") -> Tracker: ...
+    def update(self, q: ArrayLike, /) -> _Floats:
+        """λmin and λmax at the next q, (2,), or at each row of a batch in turn, (k, 2)."""
+
+    @property
+    def softest(self) -> _Floats:
+        """The latest mode of λmin, (nv,)."""
+
+    @property
+    def stiffest(self) -> _Floats:
+        """The latest mode of λmax, (nv,)."""
+
+@final
+class SweepPlan:
+    """The numbered cases of a sweep's text (TOML), in chunks that may be computed anywhere and in any order."""
+
+    def __new__(cls, text: str, /) -> SweepPlan: ...
+    @property
+    def cases(self) -> int:
+        """Number of rows."""
+
+    @property
+    def chunks(self) -> int:
+        """Number of chunks."""
+
+    @property
+    def fingerprint(self) -> str:
+        """Of everything that a row depends on: spec, robots, version."""
+
+    def compute(self, number: int, /) -> bytes:
+        """The rows of a chunk, on one thread."""
+
+    def missing(self, output: _Path, /) -> list[int]:
+        """Chunks that a folder does not hold; makes the folder."""
+
+    def keep(self, output: _Path, number: int, text: bytes, /) -> None:
+        """Puts a chunk's rows into a folder, whole."""
+
+    def merge(self, output: _Path, /) -> pathlib.Path:
+        """Makes the table of a folder that holds every chunk."""
+
+def reproduce(*ids: str, quick: bool = False) -> list[dict[str, Any]]:
+    """The claims of Featherstone (2004) and Shah & Saha (2013), printed against computed; all, or those named."""

@@ -1,0 +1,294 @@
+"""Results as small typed objects: they print well, become dictionaries, and plot themselves where matplotlib is installed."""
+
+from __future__ import annotations
+
+import html
+import json
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from eigenbody._eigenbody import Model
+
+Floats = NDArray[np.float64]
+
+# Okabe and Ito's colours: told apart by the colour-blind.
+BLUE, ORANGE = "#0072B2", "#D55E00"
+SHOWN = 6  # entries of a mode that are printed
+
+
+def _number(x: float | None, unit: str = "") -> str:
+    return "–" if x is None or np.isnan(x) else f"{x:.6g} {unit}".rstrip()
+
+
+def _html(title: str, rows: list[tuple[str, str]]) -> str:
+    body = "".join(f"<tr><th scope='row' style='text-align:left'>{html.escape(a)}</th><td style='text-align:left'>{html.escape(b)}</td></tr>" for a, b in rows)
+    return f"<table><caption style='text-align:left;font-weight:bold'>{html.escape(title)}</caption>{body}</table>"
+
+
+def _text(title: str, rows: list[tuple[str, str]]) -> str:
+    width = max((len(name) for name, _ in rows), default=0)
+    return "\n".join([title, *(f"  {name:<{width}}  {value}" for name, value in rows)])
+
+
+@dataclass(frozen=True)
+class Mode:
+    """An eigenvector of H x = λ B x over the degrees of freedom, xᵀ B x = 1, and each one's share of it."""
+
+    vector: Floats
+    share: Floats
+    joints: tuple[str, ...]
+
+    def __str__(self) -> str:
+        order = np.argsort(-self.share, kind="stable")[:SHOWN]
+        parts = [f"{self.joints[i]} {self.share[i]:.1%}" for i in order if self.share[i] >= 5e-4]
+        more = len(self.joints) - len(parts)
+        return ", ".join(parts) + (f" and {more} more" if more > 0 else "")
+
+
+def _mode(found: dict[str, Any] | None) -> Mode | None:
+    if found is None:
+        return None
+    return Mode(np.array(found["vector"]), np.array(found["share"]), tuple(found["joints"]))
+
+
+@dataclass(frozen=True)
+class Conditioning:
+    """κ and what belongs to it, of one robot in one configuration. None: the number does not exist, and `note` says why."""
+
+    kappa: float | None
+    kappa_weighted: float | None
+    lambda_min: float | None
+    lambda_max: float | None
+    diagonal_ratio: float | None
+    bracket: tuple[float, float] | None
+    error_estimate: tuple[float | None, float | None]
+    softest: Mode | None
+    stiffest: Mode | None
+    eigenvalues: Floats | None
+    unit: str
+    method: str
+    note: str | None
+    _dict: dict[str, Any] = field(repr=False, compare=False)
+
+    @classmethod
+    def _of_json(cls, text: str) -> Conditioning:
+        found = json.loads(text)
+        bracket, error, values = found["bracket"], found["error_estimate"], found.get("eigenvalues")
+        return cls(
+            kappa=found["kappa"],
+            kappa_weighted=found["kappa_weighted"],
+            lambda_min=found["lambda_min"],
+            lambda_max=found["lambda_max"],
+            diagonal_ratio=found["diagonal_ratio"],
+            bracket=None if bracket is None else (bracket[0], bracket[1]),
+            error_estimate=(error["lambda_min"], error["lambda_max"]),
+            softest=_mode(found["softest"]),
+            stiffest=_mode(found["stiffest"]),
+            eigenvalues=None if values is None else np.array(values),
+            unit=found["unit"],
+            method=found["method"],
+            note=found.get("note"),
+            _dict=found,
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """What `eigenbody spectrum --json` prints."""
+        return json.loads(json.dumps(self._dict))  # type: ignore[no-any-return]
+
+    def _rows(self) -> list[tuple[str, str]]:
+        rows = [
+            ("κ", _number(self.kappa)),
+            ("κ′", _number(self.kappa_weighted)),
+            ("λmin", _number(self.lambda_min, self.unit)),
+            ("λmax", _number(self.lambda_max, self.unit)),
+            ("softest", str(self.softest) if self.softest else "–"),
+            ("stiffest", str(self.stiffest) if self.stiffest else "–"),
+        ]
+        return rows + ([("note", self.note)] if self.note else [])
+
+    def _title(self) -> str:
+        return f"{self._dict['model']} at {self._dict['configuration']}: {self._dict['dofs']} DoFs, {self._dict['base']} base"
+
+    def __repr__(self) -> str:
+        return _text(self._title(), self._rows())
+
+    def _repr_html_(self) -> str:
+        return _html(self._title(), self._rows())
+
+    def plot(self, ax: Any = None) -> Any:
+        """The shares of the softest and stiffest mode, as bars on `ax`; returns the axes."""
+        ax = _axes(ax)
+        modes = [(mode, name, colour) for mode, name, colour in [(self.softest, "softest", BLUE), (self.stiffest, "stiffest", ORANGE)] if mode]
+        for k, (mode, name, colour) in enumerate(modes):
+            places = np.arange(len(mode.joints)) + 0.4 * k - 0.2
+            ax.barh(places, mode.share, height=0.38, color=colour, label=name)
+            ax.set_yticks(np.arange(len(mode.joints)), mode.joints)
+        ax.invert_yaxis()
+        ax.set_xlabel("share of the mode")
+        ax.set_title(f"κ = {_number(self.kappa)}")
+        ax.legend()
+        return ax
+
+
+@dataclass(frozen=True, repr=False)
+class Conditionings:
+    """κ and what belongs to it along a batch: one array a quantity, NaN where it does not exist."""
+
+    kappa: Floats
+    kappa_weighted: Floats
+    lambda_min: Floats
+    lambda_max: Floats
+    diagonal_ratio: Floats
+    bracket: Floats
+    error_estimate: Floats
+    softest: Floats
+    stiffest: Floats
+
+    def __init__(self, columns: dict[str, Floats]) -> None:
+        bracket = np.stack([columns.pop("bracket_low"), columns.pop("bracket_high")], axis=-1)
+        for name, column in {**columns, "bracket": bracket}.items():
+            object.__setattr__(self, name, column)
+
+    def __len__(self) -> int:
+        return len(self.kappa)
+
+    def to_dict(self) -> dict[str, Floats]:
+        """The arrays by name."""
+        return dict(self.__dict__)
+
+    def _rows(self) -> list[tuple[str, str]]:
+        def row(x: Floats) -> str:
+            x = x[np.isfinite(x)]
+            return f"{x.min():.6g} … {np.median(x):.6g} … {x.max():.6g}" if x.size else "–"
+
+        return [("κ", row(self.kappa)), ("κ′", row(self.kappa_weighted)), ("λmin", row(self.lambda_min)), ("λmax", row(self.lambda_max))]
+
+    def __repr__(self) -> str:
+        return _text(f"{len(self)} configurations: least … median … largest", self._rows())
+
+    def _repr_html_(self) -> str:
+        return _html(f"{len(self)} configurations: least … median … largest", self._rows())
+
+    def plot(self, ax: Any = None) -> Any:
+        """κ and κ′ along the batch, on `ax`; returns the axes."""
+        ax = _axes(ax)
+        ax.semilogy(self.kappa, color=BLUE, label="κ")
+        ax.semilogy(self.kappa_weighted, color=ORANGE, linestyle="--", label="κ′")
+        ax.set_xlabel("row")
+        ax.legend()
+        return ax
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """The worst of all configurations by one measure: `q` reproduces it."""
+
+    measure: str
+    worst: float
+    q: Floats
+    median: float
+    tenth: float
+
+    def to_dict(self) -> dict[str, Any]:
+        """Numbers and lists."""
+        return {"measure": self.measure, "worst": self.worst, "q": self.q.tolist(), "median": self.median, "tenth": self.tenth}
+
+    def __repr__(self) -> str:
+        return f"<worst {self.measure} {self.worst:.6g}, median {self.median:.6g}, one in ten beyond {self.tenth:.6g}>"
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that is wrong with a robot."""
+
+    id: str
+    severity: str
+    message: str
+    advice: str
+    joints: tuple[str, ...]
+    value: float | None
+    limit: float | None
+    q: Floats
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What is wrong with a robot over all that its joints allow: what `eigenbody check` finds."""
+
+    findings: tuple[Finding, ...]
+    model_findings: tuple[str, ...]
+    _dict: dict[str, Any] = field(repr=False, compare=False)
+
+    @classmethod
+    def _of_json(cls, text: str) -> Diagnosis:
+        found = json.loads(text)
+        findings = tuple(
+            Finding(
+                id=one["id"],
+                severity=one["severity"],
+                message=one["message"],
+                advice=one["advice"],
+                joints=tuple(one["joints"]),
+                value=one["value"],
+                limit=one["limit"],
+                q=np.array(one["q"]),
+            )
+            for one in found["findings"]
+        )
+        return cls(findings, tuple(found["model_findings"]), found)
+
+    def __bool__(self) -> bool:
+        """True if nothing worse than a note was found."""
+        return not any(finding.severity in ("warning", "error") for finding in self.findings)
+
+    def to_dict(self) -> dict[str, Any]:
+        """What `eigenbody check --format json` prints."""
+        return json.loads(json.dumps(self._dict))  # type: ignore[no-any-return]
+
+    def worst(self, measure: str = "kappa_weighted") -> dict[str, Any]:
+        """The worst by `kappa`, `kappa_weighted` or `lambda_min`."""
+        for one in self._dict["worst"]:
+            if one["measure"] == measure:
+                return dict(one)
+        raise KeyError(measure)
+
+    def _rows(self) -> list[tuple[str, str]]:
+        names = {"kappa": "κ", "kappa_weighted": "κ′", "lambda_min": "λmin"}
+        rows = [(f"worst {names.get(one['measure'], one['measure'])}", _number(one["worst"])) for one in self._dict["worst"]]
+        rows += [(finding.severity, finding.message) for finding in self.findings]
+        return rows if self.findings else [*rows, ("findings", "none")]
+
+    def _title(self) -> str:
+        return f"{self._dict['model']}: {self._dict['dofs']} DoFs, {self._dict['evaluations']} configurations"
+
+    def __repr__(self) -> str:
+        return _text(self._title(), self._rows())
+
+    def _repr_html_(self) -> str:
+        return _html(self._title(), self._rows())
+
+
+def model_html(model: Model) -> str:
+    """A model in a notebook."""
+    rows = [
+        ("bodies", str(model.nbodies)),
+        ("nq, nv", f"{model.nq}, {model.nv}"),
+        ("base", "floating" if model.has_floating_base else "fixed"),
+        ("degrees of freedom", ", ".join(model.dof_names[:12]) + (" …" if len(model.dof_names) > 12 else "")),
+        ("findings", str(len(model.findings))),
+    ]
+    return _html(model.name, rows)
+
+
+def _axes(ax: Any) -> Any:
+    if ax is not None:
+        return ax
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError("plots need matplotlib: pip install 'eigenbody[plot]'") from error
+    return plt.subplots(layout="constrained")[1]

@@ -1,0 +1,122 @@
+//! `eigenbody.Parts`: a robot given link by link, as live models of other libraries are.
+
+use crate::error::Failure;
+use eigenbody::model::{JointSpec, LinkId};
+use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
+use eigenbody::{Base, Joint, ModelBuilder};
+use pyo3::prelude::*;
+use std::sync::{Mutex, PoisonError};
+
+/// Links and joints, in the order of their degrees of freedom.
+#[pyclass(module = "eigenbody", frozen)]
+pub struct Parts {
+    pub name: String,
+    gravity: [f64; 3],
+    lists: Mutex<Lists>,
+}
+
+#[derive(Default)]
+struct Lists {
+    links: Vec<Link>,
+    joints: Vec<Moving>,
+}
+
+struct Link {
+    name: String,
+    inertia: RigidInertia<f64>,
+}
+
+struct Moving {
+    name: String,
+    kind: Joint<f64>,
+    parent: usize,
+    child: usize,
+    placement: Transform<f64>,
+    axis: Vec3<f64>,
+    armature: Vec<f64>,
+    limits: Option<(f64, f64)>,
+}
+
+fn symmetric(I: [[f64; 3]; 3]) -> Sym3<f64> {
+    Sym3 { xx: I[0][0], yy: I[1][1], zz: I[2][2], xy: I[0][1], xz: I[0][2], yz: I[1][2] }
+}
+
+impl Parts {
+    pub fn build(&self, base: Base) -> Result<eigenbody::Model<f64>, Failure> {
+        let lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut builder = ModelBuilder::new(self.name.clone());
+        builder.gravity(Vec3::from_f64(self.gravity));
+        let links: Vec<LinkId> =
+            lists.links.iter().map(|link| builder.link(link.name.clone(), link.inertia)).collect();
+        for joint in &lists.joints {
+            let spec =
+                JointSpec::new(joint.name.clone(), joint.kind, links[joint.parent], links[joint.child])
+                    .at(joint.placement)
+                    .about(joint.axis)
+                    .with_armature(joint.armature.clone());
+            builder.joint(JointSpec { limits: joint.limits, ..spec });
+        }
+        builder.build(base).map_err(Failure::Build)
+    }
+
+    fn lists(&self) -> std::sync::MutexGuard<'_, Lists> {
+        self.lists.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[pymethods]
+impl Parts {
+    #[new]
+    #[pyo3(signature = (name, /, *, gravity=[0.0, 0.0, -9.81]))]
+    fn new(name: String, gravity: [f64; 3]) -> Self {
+        Self { name, gravity, lists: Mutex::default() }
+    }
+
+    #[pyo3(signature = (name, /, *, mass=0.0, com=[0.0; 3], inertia=[[0.0; 3]; 3]))]
+    fn link(&self, name: String, mass: f64, com: [f64; 3], inertia: [[f64; 3]; 3]) -> usize {
+        let inertia = RigidInertia::from_com(mass, Vec3::from_f64(com), symmetric(inertia));
+        let mut lists = self.lists();
+        lists.links.push(Link { name, inertia });
+        lists.links.len() - 1
+    }
+
+    #[pyo3(signature = (name, kind, /, *, parent, child, rotation=[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        position=[0.0; 3], axis=[0.0, 0.0, 1.0], armature=Vec::new(), limits=None))]
+    #[allow(clippy::too_many_arguments)] // each a named option in Python
+    fn joint(
+        &self,
+        name: String,
+        kind: &str,
+        parent: usize,
+        child: usize,
+        rotation: [[f64; 3]; 3],
+        position: [f64; 3],
+        axis: [f64; 3],
+        armature: Vec<f64>,
+        limits: Option<(f64, f64)>,
+    ) -> Result<usize, Failure> {
+        let kind = match kind {
+            "fixed" => Joint::Fixed,
+            "revolute" => Joint::Revolute,
+            "continuous" => Joint::Continuous,
+            "prismatic" => Joint::Prismatic,
+            "spherical" => Joint::Spherical,
+            "floating" => Joint::Floating,
+            "planar" => Joint::Planar,
+            "cylindrical" => Joint::Cylindrical,
+            _ => return Err(Failure::input("kind", format!("'{kind}' is no kind of joint"))),
+        };
+        let mut lists = self.lists();
+        for (what, link) in [("parent", parent), ("child", child)] {
+            if link >= lists.links.len() {
+                return Err(Failure::input(what, format!("no link has number {link}")));
+            }
+        }
+        let [x, y, z] = rotation.map(Vec3::from_f64);
+        // The rotation takes the child's coordinates to the parent's; E goes the other way.
+        let placement = Transform::new(Mat3::from_rows(x, y, z).transpose(), Vec3::from_f64(position));
+        let axis = Vec3::from_f64(axis);
+        lists.joints.push(Moving { name, kind, parent, child, placement, axis, armature, limits });
+        Ok(lists.joints.len() - 1)
+    }
+}

@@ -1,0 +1,159 @@
+//! What a `Model` computes.
+
+use crate::error::Failure;
+use crate::model::Model;
+use crate::{dynamics, spectrum, study};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+#[pymethods]
+impl Model {
+    #[pyo3(signature = (q, /, *, out=None))]
+    fn mass_matrix<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::mass_matrix(self, q, out)
+    }
+
+    #[pyo3(signature = (q, /, *, out=None))]
+    fn crba<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::mass_matrix(self, q, out)
+    }
+
+    #[pyo3(signature = (q, v, a, /, *, out=None))]
+    fn inverse_dynamics<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        a: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::inverse_dynamics(self, q, v, a, out)
+    }
+
+    #[pyo3(signature = (q, v, a, /, *, out=None))]
+    fn rnea<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        a: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::inverse_dynamics(self, q, v, a, out)
+    }
+
+    #[pyo3(signature = (q, v, tau, /, *, out=None))]
+    fn forward_dynamics<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        tau: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::forward_dynamics(self, q, v, tau, out)
+    }
+
+    #[pyo3(signature = (q, v, tau, /, *, out=None))]
+    fn aba<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        tau: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::forward_dynamics(self, q, v, tau, out)
+    }
+
+    #[pyo3(signature = (q, v, /, *, out=None))]
+    fn bias_force<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::bias_force(self, q, v, out)
+    }
+
+    #[pyo3(signature = (q, /, *, out=None))]
+    fn gravity_force<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        dynamics::gravity_force(self, q, out)
+    }
+
+    #[pyo3(signature = (q, /, *, metric="euclidean", out=None))]
+    fn spectrum<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        metric: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        spectrum::eigenvalues(self, q, metric, out)
+    }
+
+    #[pyo3(signature = (q, /, *, metric="euclidean", out=None))]
+    fn extremes<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        metric: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        spectrum::extremes(self, q, metric, out)
+    }
+
+    #[pyo3(signature = (q=None, /, *, metric="euclidean", method="auto", precision="auto", all=false))]
+    fn conditioning<'py>(
+        &self,
+        py: Python<'py>,
+        q: Option<spectrum::At<'py>>,
+        metric: &str,
+        method: &str,
+        precision: &str,
+        all: bool,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        spectrum::conditioning(
+            self,
+            py,
+            &q.unwrap_or_default(),
+            &spectrum::Asked { metric, method, precision, all },
+        )
+    }
+
+    #[pyo3(signature = (*, metric="euclidean", samples=2048, seed=1, max_kappa_weighted=None, max_kappa=None, f32_digits=None))]
+    #[allow(clippy::too_many_arguments)] // each a named option in Python
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        metric: &str,
+        samples: u32,
+        seed: u32,
+        max_kappa_weighted: Option<f64>,
+        max_kappa: Option<f64>,
+        f32_digits: Option<f64>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        study::check(self, py, metric, (samples, seed), [max_kappa_weighted, max_kappa, f32_digits])
+    }
+
+    #[pyo3(signature = (*, metric="euclidean", samples=2048, seed=1))]
+    fn worst_case<'py>(
+        &self,
+        py: Python<'py>,
+        metric: &str,
+        samples: u32,
+        seed: u32,
+    ) -> Result<Bound<'py, PyDict>, Failure> {
+        study::worst_case(self, py, metric, (samples, seed))
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        slf.py().import("eigenbody._results")?.call_method1("model_html", (slf,))?.extract()
+    }
+}

@@ -1,0 +1,245 @@
+//! `eigenbody.Model`.
+
+use crate::build::Parts;
+use crate::dynamics::Robot;
+use crate::error::Failure;
+use eigenbody::{Base, Reduction};
+use eigenbody_formats::{
+    LoadOptions, Loaded, MjcfOptions, SdfOptions, UrdfOptions, load, read_mjcf, read_sdf, read_urdf,
+};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+
+/// A robot in both precisions, with what its source said beside the model.
+pub struct Shared {
+    pub robot: Robot<f64>,
+    pub single: OnceLock<Robot<f32>>,
+    /// The file or expression, if there was one.
+    pub loaded: Option<Loaded>,
+    pub name: String,
+    /// Numbers in q and v as a caller gives them: independent ones where mimic joints follow.
+    pub nq: usize,
+    pub nv: usize,
+    /// Names of H's rows.
+    pub dofs: Vec<String>,
+    pub findings: Vec<String>,
+}
+
+/// A robot: a tree of rigid bodies and joints.
+#[pyclass(module = "eigenbody", frozen, weakref)]
+pub struct Model {
+    pub shared: Arc<Shared>,
+    /// What `__new__` was called with, for pickling.
+    source: Option<Py<PyDict>>,
+}
+
+/// Options of every constructor.
+#[derive(Clone, Copy, Default)]
+struct Options {
+    base: Base,
+    mimic: Option<bool>,
+    reduced: bool,
+    rotors: bool,
+}
+
+impl Options {
+    fn new(base: &str, mimic: Option<bool>, reduced: bool, rotors: bool) -> Result<Self, Failure> {
+        let base = match base {
+            "fixed" => Base::Fixed,
+            "floating" => Base::Floating,
+            _ => return Err(Failure::input("base", format!("'{base}', expected 'fixed' or 'floating'"))),
+        };
+        if reduced && base == Base::Fixed {
+            return Err(Failure::input("reduced", "removes a floating base: add base='floating'"));
+        }
+        Ok(Self { base, mimic, reduced, rotors })
+    }
+}
+
+impl Model {
+    fn of(loaded: Loaded, name: String, options: Options) -> Result<Self, Failure> {
+        let loaded = if options.rotors { loaded.with_rotors()? } else { loaded };
+        let reduction = Reduction {
+            mimic: options.mimic.unwrap_or(loaded.mimic),
+            base: options.base == Base::Floating && (options.reduced || loaded.is_family()),
+        };
+        let findings = if loaded.is_family() { Vec::new() } else { loaded.findings() };
+        Ok(Self::assemble(loaded.model.clone(), reduction, name, findings, Some(loaded)))
+    }
+
+    fn assemble(
+        model: eigenbody::Model<f64>,
+        reduction: Reduction,
+        name: String,
+        findings: Vec<String>,
+        loaded: Option<Loaded>,
+    ) -> Self {
+        let coupling = model.coupling().filter(|_| reduction.mimic);
+        let (nq, nv) = coupling.map_or((model.nq(), model.nv()), |coupling| (coupling.nq(), coupling.nv()));
+        let dofs = reduction.dofs(&model).into_iter().map(|d| model.dof_name(d)).collect();
+        let robot = Robot::new(model, reduction);
+        let shared = Shared { robot, single: OnceLock::new(), loaded, name, nq, nv, dofs, findings };
+        Self { shared: Arc::new(shared), source: None }
+    }
+
+    /// The same robot with another model.
+    pub fn with(&self, model: eigenbody::Model<f64>) -> Self {
+        let Shared { robot, name, findings, loaded, .. } = &*self.shared;
+        Self::assemble(model, robot.reduction, name.clone(), findings.clone(), loaded.clone())
+    }
+
+    /// Of all coordinates, those that a caller gives.
+    pub fn given(&self, q: &[f64]) -> Vec<f64> {
+        let robot = &self.shared.robot;
+        match robot.model.coupling().filter(|_| robot.reduction.mimic) {
+            Some(coupling) => coupling.independent_coordinates().iter().map(|&k| q[k]).collect(),
+            None => q.to_vec(),
+        }
+    }
+
+    fn family(text: String, base: &str) -> Result<Self, Failure> {
+        let options = Options::new(base, None, false, false)?;
+        let loaded = load(&text, &LoadOptions { base: options.base, size_ratio: None })?;
+        Self::of(loaded, text, options)
+    }
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    #[pyo3(signature = (model, /, *, base="fixed", mimic=None, reduced=false, rotors=false))]
+    fn new(
+        py: Python<'_>,
+        model: &Bound<'_, PyAny>,
+        base: &str,
+        mimic: Option<bool>,
+        reduced: bool,
+        rotors: bool,
+    ) -> Result<Self, Failure> {
+        let options = Options::new(base, mimic, reduced, rotors)?;
+        if let Ok(parts) = model.cast::<Parts>() {
+            let parts = parts.get();
+            let built = parts.build(options.base)?;
+            let reduction = Reduction { mimic: options.mimic.unwrap_or(true), base: options.reduced };
+            let findings = built.findings().iter().map(ToString::to_string).collect();
+            return Ok(Self::assemble(built, reduction, parts.name.clone(), findings, None));
+        }
+        let text = match model.extract::<String>() {
+            Ok(text) => text,
+            Err(_) => model
+                .extract::<PathBuf>()
+                .map_err(|_| Failure::Type("model is no path, expression or Parts".into()))?
+                .to_string_lossy()
+                .into_owned(),
+        };
+        let loaded = py.detach(|| load(&text, &LoadOptions { base: options.base, size_ratio: None }))?;
+        let source = PyDict::new(py);
+        source.set_item("base", base)?;
+        source.set_item("mimic", mimic)?;
+        source.set_item("reduced", reduced)?;
+        source.set_item("rotors", rotors)?;
+        Ok(Self { source: Some(source.unbind()), ..Self::of(loaded, text, options)? })
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false, rotors=false))]
+    fn from_urdf(
+        py: Python<'_>,
+        path: PathBuf,
+        base: &str,
+        mimic: Option<bool>,
+        reduced: bool,
+        rotors: bool,
+    ) -> Result<Self, Failure> {
+        let options = Options::new(base, mimic, reduced, rotors)?;
+        let loaded = py.detach(|| read_urdf(&path, &UrdfOptions { base: options.base }))?;
+        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false))]
+    fn from_mjcf(
+        py: Python<'_>,
+        path: PathBuf,
+        base: &str,
+        mimic: Option<bool>,
+        reduced: bool,
+    ) -> Result<Self, Failure> {
+        let options = Options::new(base, mimic, reduced, false)?;
+        let loaded = py.detach(|| read_mjcf(&path, &MjcfOptions { base: options.base }))?;
+        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false))]
+    fn from_sdf(
+        py: Python<'_>,
+        path: PathBuf,
+        base: &str,
+        mimic: Option<bool>,
+        reduced: bool,
+    ) -> Result<Self, Failure> {
+        let options = Options::new(base, mimic, reduced, false)?;
+        let loaded = py.detach(|| read_sdf(&path, &SdfOptions { base: options.base }))?;
+        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
+    fn hydra(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
+        Self::family(format!("hydra({n},{branching:?},{skew:?},{taper:?})"), base)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
+    fn onion(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
+        Self::family(format!("onion({n},{branching:?},{skew:?},{taper:?})"), base)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
+    fn auto_tree(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
+        Self::family(format!("auto_tree({n},{branching:?},{skew:?},{taper:?})"), base)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (n, /, *, mass=1.0, length=1.0))]
+    fn chain(n: usize, mass: f64, length: f64) -> Result<Self, Failure> {
+        Self::family(format!("chain({n}, m={mass:?}, l={length:?})"), "fixed")
+    }
+
+    #[staticmethod]
+    fn puma560() -> Result<Self, Failure> {
+        Self::family("puma560".into(), "fixed")
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (model, /))]
+    fn from_pinocchio(py: Python<'_>, model: &Bound<'_, PyAny>) -> Result<Self, Failure> {
+        let parts = py.import("eigenbody._live")?.call_method1("pinocchio_parts", (model,))?;
+        Self::new(py, &parts, "fixed", None, false, false)
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (model, /))]
+    fn from_mujoco(py: Python<'_>, model: &Bound<'_, PyAny>) -> Result<Self, Failure> {
+        let parts = py.import("eigenbody._live")?.call_method1("mujoco_parts", (model,))?;
+        Self::new(py, &parts, "fixed", None, false, false)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Result<Bound<'py, PyAny>, Failure> {
+        let py = slf.py();
+        let model = slf.get();
+        let source = model.source.as_ref().ok_or_else(|| {
+            Failure::Type(format!(
+                "only a Model(path or expression) can be pickled, and '{}' is none",
+                model.shared.name
+            ))
+        })?;
+        let rebuild = py.import("eigenbody._live")?.getattr("rebuild")?;
+        let arguments = (model.shared.name.clone(), source.bind(py));
+        Ok((rebuild, arguments).into_pyobject(py)?.into_any())
+    }
+}

@@ -1,0 +1,166 @@
+//! What a `Model` is: names, limits, configurations, copies with something changed.
+
+use crate::error::Failure;
+use crate::model::{Model, Shared};
+use eigenbody_formats::{Loaded, write_mjcf, write_urdf};
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+#[pymethods]
+impl Model {
+    fn __repr__(&self) -> String {
+        let Shared { name, nq, nv, dofs, robot, .. } = &*self.shared;
+        let base = match (robot.model.has_floating_base(), robot.reduction.base) {
+            (false, _) => "fixed",
+            (true, false) => "floating",
+            (true, true) => "free-floating",
+        };
+        let bodies = robot.model.bodies().len();
+        let rows = if dofs.len() == *nv { String::new() } else { format!(", H {0} × {0}", dofs.len()) };
+        format!("<eigenbody.Model '{name}': {bodies} bodies, {base} base, nq {nq}, nv {nv}{rows}>")
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.shared.name
+    }
+
+    #[getter]
+    fn nq(&self) -> usize {
+        self.shared.nq
+    }
+
+    #[getter]
+    fn nv(&self) -> usize {
+        self.shared.nv
+    }
+
+    #[getter]
+    fn nbodies(&self) -> usize {
+        self.shared.robot.model.bodies().len()
+    }
+
+    #[getter]
+    fn has_floating_base(&self) -> bool {
+        self.shared.robot.model.has_floating_base()
+    }
+
+    #[getter]
+    fn dof_names(&self) -> Vec<String> {
+        self.shared.dofs.clone()
+    }
+
+    #[getter]
+    fn link_names(&self) -> Vec<String> {
+        self.shared.robot.model.links().iter().map(|link| link.name().to_owned()).collect()
+    }
+
+    /// Name, kind, first coordinate, first DoF of every moving joint.
+    #[getter]
+    fn joints(&self) -> Vec<(String, &'static str, usize, usize)> {
+        let joint = |joint: &eigenbody::model::JointInfo<f64>| {
+            (joint.name().to_owned(), joint.kind().kind(), joint.coordinates().start, joint.dofs().start)
+        };
+        self.shared.robot.model.joints().iter().map(joint).collect()
+    }
+
+    /// Lower and upper limit of every coordinate; infinite where there is none.
+    #[getter]
+    fn limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
+        let model = &self.shared.robot.model;
+        let mut ends = vec![[f64::NEG_INFINITY, f64::INFINITY]; model.nq()];
+        for joint in model.joints() {
+            if let (Some((lower, upper)), 1) = (joint.limits(), joint.kind().nq()) {
+                ends[joint.coordinates().start] = [lower, upper];
+            }
+        }
+        let columns = [0, 1].map(|end| self.given(&ends.iter().map(|pair| pair[end]).collect::<Vec<_>>()));
+        PyArray2::from_vec2(py, &columns).unwrap_or_else(|_| PyArray2::zeros(py, [2, 0], false))
+    }
+
+    #[getter]
+    fn armature<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.shared.robot.model.armature())
+    }
+
+    #[getter]
+    fn gravity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.shared.robot.model.gravity().to_array())
+    }
+
+    #[getter]
+    fn findings(&self) -> Vec<String> {
+        self.shared.findings.clone()
+    }
+
+    #[getter]
+    fn keyframes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let keyframes = PyDict::new(py);
+        for key in self.shared.loaded.iter().flat_map(Loaded::keyframes) {
+            keyframes.set_item(&key.name, PyArray1::from_vec(py, self.given(&key.q)))?;
+        }
+        Ok(keyframes)
+    }
+
+    fn neutral<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_vec(py, self.given(&self.shared.robot.model.neutral()))
+    }
+
+    #[pyo3(signature = (seed=1, count=None))]
+    fn random<'py>(
+        &self,
+        py: Python<'py>,
+        seed: u64,
+        count: Option<usize>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        let row = |seed| self.given(&self.shared.robot.model.random(seed));
+        let Some(count) = count else { return Ok(PyArray1::from_vec(py, row(seed)).into_any()) };
+        let mut numbers = Vec::with_capacity(count.saturating_mul(self.shared.nq).min(1 << 26));
+        for k in 0..count as u64 {
+            numbers.extend(row(seed.wrapping_add(k)));
+        }
+        let array = PyArray1::from_vec(py, numbers);
+        Ok(array.call_method1("reshape", (count, self.shared.nq))?)
+    }
+
+    #[pyo3(signature = (text, /))]
+    pub fn configuration<'py>(
+        &self,
+        py: Python<'py>,
+        text: &str,
+    ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
+        let Shared { robot, loaded, .. } = &*self.shared;
+        let mimic = robot.reduction.mimic;
+        let q = match loaded {
+            Some(loaded) => loaded.configuration(text, mimic)?,
+            None => eigenbody_formats::configuration(text, &robot.model, mimic)?,
+        };
+        Ok(PyArray1::from_vec(py, self.given(&q)))
+    }
+
+    #[pyo3(signature = (armature, /))]
+    fn with_armature(&self, armature: &Bound<'_, PyAny>) -> Result<Self, Failure> {
+        let model = &self.shared.robot.model;
+        let rows = crate::array::Rows::<f64>::new("armature", armature, model.nv())?;
+        let changed = model.clone().with_armature(rows.numbers().to_vec())?;
+        Ok(self.with(changed))
+    }
+
+    #[pyo3(signature = (gravity, /))]
+    fn with_gravity(&self, gravity: [f64; 3]) -> Result<Self, Failure> {
+        if let Some(index) = gravity.iter().position(|g| !g.is_finite()) {
+            return Err(eigenbody::InputError::NotFinite { what: "gravity", index }.into());
+        }
+        let gravity = eigenbody::spatial::Vec3::from_f64(gravity);
+        Ok(self.with(self.shared.robot.model.clone().with_gravity(gravity)))
+    }
+
+    fn to_urdf(&self) -> Result<String, Failure> {
+        write_urdf(&self.shared.robot.model).map_err(|error| Failure::input("model", error))
+    }
+
+    fn to_mjcf(&self) -> Result<String, Failure> {
+        write_mjcf(&self.shared.robot.model).map_err(|error| Failure::input("model", error))
+    }
+}

@@ -1,0 +1,224 @@
+//! Eigenvalues, their ends, and κ with all that belongs to it.
+
+use crate::array::{Out, Rows};
+use crate::error::Failure;
+use crate::model::{Model, Shared};
+use eigenbody::spectrum::Precision;
+use eigenbody::{Method, Question, conditioning_at};
+use eigenbody_report::{SpectrumReport, Subject};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+
+/// A configuration as a text, or numbers.
+#[derive(FromPyObject)]
+pub enum At<'py> {
+    Text(String),
+    Numbers(Bound<'py, PyAny>),
+}
+
+impl Default for At<'_> {
+    fn default() -> Self {
+        Self::Text("zero".into())
+    }
+}
+
+/// What is asked besides q.
+pub struct Asked<'a> {
+    pub metric: &'a str,
+    pub method: &'a str,
+    pub precision: &'a str,
+    pub all: bool,
+}
+
+impl Asked<'_> {
+    fn question(&self, shared: &Shared) -> Result<Question, Failure> {
+        let method = match self.method {
+            "auto" => Method::Auto,
+            "dense" => Method::Dense,
+            "sturm" => Method::Sturm,
+            other => {
+                return Err(Failure::input(
+                    "method",
+                    format!("'{other}', expected 'auto', 'dense' or 'sturm'"),
+                ));
+            }
+        };
+        let precision = match self.precision {
+            "auto" => Precision::Auto,
+            "f64" => Precision::F64,
+            "dd" => Precision::Dd,
+            other => {
+                return Err(Failure::input(
+                    "precision",
+                    format!("'{other}', expected 'auto', 'f64' or 'dd'"),
+                ));
+            }
+        };
+        let metric = eigenbody_formats::metric(self.metric)?;
+        Ok(Question { metric, reduction: shared.robot.reduction, method, precision, all: self.all })
+    }
+}
+
+/// Applies the question to every row.
+fn answers(
+    shared: &Shared,
+    rows: &Rows<'_, f64>,
+    question: &Question,
+    py: Python<'_>,
+) -> Result<Vec<eigenbody::Conditioning<f64>>, Failure> {
+    let numbers = rows.numbers();
+    let numbers: &[f64] = numbers.as_ref();
+    let robot = &shared.robot;
+    let width = rows.width();
+    let count = rows.count().unwrap_or(1);
+    let is_batch = rows.count().is_some();
+    py.detach(|| {
+        let answer = |k: usize| {
+            let q = robot.expand(&numbers[k * width..(k + 1) * width]);
+            conditioning_at(&robot.model, &q, question)
+                .map_err(|source| Failure::Numbers { row: is_batch.then_some(k), source })
+        };
+        match is_batch {
+            true => (0..count).into_par_iter().map(answer).collect(),
+            false => Ok(vec![answer(0)?]),
+        }
+    })
+}
+
+/// All eigenvalues, ascending: `(n,)` or `(k, n)`.
+pub fn eigenvalues<'py>(
+    model: &Model,
+    q: &Bound<'py, PyAny>,
+    metric: &str,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let shared = &model.shared;
+    let asked = Asked { metric, method: "auto", precision: "auto", all: true };
+    let question = asked.question(shared)?;
+    table(shared, q, &question, shared.dofs.len(), out, |answer, row| match &answer.eigenvalues {
+        Some(values) if values.len() == row.len() => row.copy_from_slice(values),
+        _ => row.fill(f64::NAN),
+    })
+}
+
+/// λmin and λmax: `(2,)` or `(k, 2)`; NaN where λmin is not resolved.
+pub fn extremes<'py>(
+    model: &Model,
+    q: &Bound<'py, PyAny>,
+    metric: &str,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let shared = &model.shared;
+    let asked = Asked { metric, method: "auto", precision: "auto", all: false };
+    let question = asked.question(shared)?;
+    table(shared, q, &question, 2, out, |answer, row| {
+        row[0] = answer.lambda_min.unwrap_or(f64::NAN);
+        row[1] = answer.lambda_max.unwrap_or(f64::NAN);
+    })
+}
+
+fn table<'py>(
+    shared: &Shared,
+    q: &Bound<'py, PyAny>,
+    question: &Question,
+    width: usize,
+    out: Option<&Bound<'py, PyAny>>,
+    write: impl Fn(&eigenbody::Conditioning<f64>, &mut [f64]) + Send + Sync,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let py = q.py();
+    let rows = Rows::<f64>::new("q", q, shared.nq)?;
+    let shape: Vec<usize> = rows.count().into_iter().chain([width]).collect();
+    let out = Out::new(py, &shape, out)?;
+    let answers = answers(shared, &rows, question, py)?;
+    out.fill(|out| {
+        if width > 0 {
+            out.chunks_mut(width).zip(&answers).for_each(|(row, answer)| write(answer, row));
+        }
+        Ok(())
+    })
+}
+
+/// κ and what belongs to it: one `Conditioning`, or `Conditionings` of a batch.
+pub fn conditioning<'py>(
+    model: &Model,
+    py: Python<'py>,
+    q: &At<'py>,
+    asked: &Asked<'_>,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let shared = &model.shared;
+    let question = asked.question(shared)?;
+    let (text, q) = match q {
+        At::Text(text) => (text.clone(), model.configuration(py, text)?.into_any()),
+        At::Numbers(q) => ("q".into(), q.clone()),
+    };
+    let rows = Rows::<f64>::new("q", &q, shared.nq)?;
+    let answers = answers(shared, &rows, &question, py)?;
+    let results = py.import("eigenbody._results")?;
+    if rows.count().is_some() {
+        return Ok(results.getattr("Conditionings")?.call1((columns(py, &answers)?,))?);
+    }
+    let translations: Vec<bool> = {
+        let model = &shared.robot.model;
+        question.reduction.dofs(model).into_iter().map(|d| model.is_translation(d)).collect()
+    };
+    let base = match (shared.robot.model.has_floating_base(), question.reduction.base) {
+        (false, _) => "fixed",
+        (true, false) => "floating",
+        (true, true) => "free-floating",
+    };
+    let subject = Subject {
+        model: shared.name.clone(),
+        bodies: shared.robot.model.bodies().len(),
+        base: base.into(),
+        configuration: text,
+        q: rows.numbers().to_vec(),
+    };
+    let unit = question.metric.unit(translations.into_iter());
+    let report = SpectrumReport::new(subject, &question.metric, unit, &answers[0], shared.dofs.clone());
+    let report = SpectrumReport { findings: shared.findings.clone(), ..report };
+    let json = report.to_json().map_err(|error| Failure::input("q", error))?;
+    Ok(results.getattr("Conditioning")?.call_method1("_of_json", (json,))?)
+}
+
+/// One array a quantity, NaN where it does not exist.
+fn columns<'py>(
+    py: Python<'py>,
+    answers: &[eigenbody::Conditioning<f64>],
+) -> Result<Bound<'py, PyDict>, Failure> {
+    type Pick = fn(&eigenbody::Conditioning<f64>) -> Option<f64>;
+    let picks: [(&str, Pick); 8] = [
+        ("kappa", |a| a.kappa),
+        ("kappa_weighted", |a| a.kappa_weighted),
+        ("lambda_min", |a| a.lambda_min),
+        ("lambda_max", |a| a.lambda_max),
+        ("diagonal_ratio", |a| a.diagonal_ratio),
+        ("bracket_low", |a| a.bracket.map(|ends| ends.0)),
+        ("bracket_high", |a| a.bracket.map(|ends| ends.1)),
+        ("error_estimate", |a| a.error_estimate[0]),
+    ];
+    let columns = PyDict::new(py);
+    for (name, pick) in picks {
+        let column: Vec<f64> = answers.iter().map(|answer| pick(answer).unwrap_or(f64::NAN)).collect();
+        columns.set_item(name, PyArray1::from_vec(py, column))?;
+    }
+    for (name, end) in [("softest", true), ("stiffest", false)] {
+        let n = answers.first().map_or(0, |answer| answer.weights.len());
+        let modes = PyArray2::<f64>::zeros(py, [answers.len(), n], false);
+        {
+            let mut guard = modes.readwrite();
+            let slice = guard.as_slice_mut().map_err(|error| Failure::input(name, error))?;
+            for (k, answer) in answers.iter().enumerate() {
+                let mode = if end { &answer.softest } else { &answer.stiffest };
+                let row = &mut slice[k * n..(k + 1) * n];
+                match mode {
+                    Some(mode) => row.copy_from_slice(mode),
+                    None => row.fill(f64::NAN),
+                }
+            }
+        }
+        columns.set_item(name, modes)?;
+    }
+    Ok(columns)
+}

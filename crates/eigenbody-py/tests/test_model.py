@@ -1,0 +1,153 @@
+"""Models, their arrays, and the command line's numbers to the last bit."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import eigenbody
+from eigenbody import Model
+
+ROBOTS = ["puma560", "hydra(10,1,0,1)", "hydra(12,2,0.5,0.9)", "auto_tree(9,1.5,0.3,0.9)", "onion(40,1,0,1)"]
+
+
+@pytest.mark.parametrize("text", ROBOTS)
+def test_the_command_line_prints_the_same_bits(text, command):
+    robot = Model(text)
+    q = robot.random(3)
+    matrix = command("matrix", text, "--at", "random(3)", "--json")
+    assert np.array_equal(robot.mass_matrix(q), np.array(matrix["rows"]))
+    printed = command("spectrum", text, "--at", "random(3)", "--json", "--all")
+    found = robot.conditioning("random(3)", all=True)
+    assert found.to_dict() == printed
+    assert np.array_equal(robot.spectrum(q), np.array(printed["eigenvalues"]))
+    assert robot.extremes(q).tolist() == [printed["lambda_min"], printed["lambda_max"]]
+
+
+def test_check_prints_the_same(command):
+    printed = command("check", "hydra(10,1,0,1)", "--samples", "256", "--format", "json")
+    found = Model("hydra(10,1,0,1)").check(samples=256)
+    assert found.to_dict() == printed
+    assert found.worst("kappa")["worst"] == pytest.approx(42907.97274937, rel=1e-9)
+
+
+def test_worst_case_of_a_chain_is_stretched_out():
+    worst = Model.hydra(10).worst_case(samples=256)
+    assert worst["kappa"].worst == pytest.approx(42907.97274937, rel=1e-9)
+    again = Model.hydra(10).conditioning(worst["kappa"].q)
+    assert again.kappa == pytest.approx(worst["kappa"].worst, rel=1e-12)
+
+
+@pytest.mark.parametrize("text", ROBOTS)
+def test_a_batch_is_its_rows(text):
+    robot = Model(text)
+    n = robot.nv
+    rng = np.random.default_rng(1)
+    q, v, x = robot.random(1, 100), rng.standard_normal((100, n)), rng.standard_normal((100, n))
+    single = [
+        (robot.mass_matrix(q), [robot.mass_matrix(row) for row in q]),
+        (robot.rnea(q, v, x), [robot.rnea(*rows) for rows in zip(q, v, x)]),
+        (robot.aba(q, v, x), [robot.aba(*rows) for rows in zip(q, v, x)]),
+        (robot.bias_force(q, v), [robot.bias_force(*rows) for rows in zip(q, v)]),
+        (robot.gravity_force(q), [robot.gravity_force(row) for row in q]),
+        (robot.spectrum(q), [robot.spectrum(row) for row in q]),
+        (robot.extremes(q), [robot.extremes(row) for row in q]),
+    ]
+    for batch, rows in single:
+        assert np.array_equal(batch, np.stack(rows))
+    both = robot.conditioning(q)
+    assert both.kappa.tolist() == [robot.conditioning(row).kappa for row in q]
+    assert len(both) == 100
+
+
+def test_a_single_row_stands_in_for_every_row():
+    robot = Model("puma560")
+    q, v = robot.random(1, 5), np.ones(6)
+    assert np.array_equal(robot.bias_force(q, v), robot.bias_force(q, np.ones((5, 6))))
+
+
+def test_dynamics_are_inverse_to_each_other():
+    robot = Model.auto_tree(20, 1.5, 0.3, 0.9)
+    rng = np.random.default_rng(2)
+    q, v, a = robot.random(5), rng.standard_normal(robot.nv), rng.standard_normal(robot.nv)
+    tau = robot.inverse_dynamics(q, v, a)
+    assert np.allclose(robot.mass_matrix(q) @ a + robot.bias_force(q, v), tau, rtol=0, atol=1e-12 * abs(tau).max())
+    assert np.allclose(robot.forward_dynamics(q, v, tau), a, rtol=0, atol=1e-9)
+
+
+def test_single_precision_stays_single():
+    robot = Model("puma560")
+    q = robot.random(1, 7).astype(np.float32)
+    H = robot.mass_matrix(q)
+    assert H.dtype == np.float32
+    assert np.allclose(H, robot.mass_matrix(q.astype(np.float64)), rtol=0, atol=1e-5)
+    assert robot.rnea(q, np.zeros((7, 6), np.float32), np.zeros((7, 6))).dtype == np.float64
+
+
+def test_results_go_where_they_are_wanted():
+    robot = Model("puma560")
+    q = robot.random(1, 4)
+    out = np.empty((4, 6, 6))
+    assert robot.mass_matrix(q, out=out) is out
+    strided = np.zeros((4, 6, 12))[:, :, ::2]
+    robot.mass_matrix(q, out=strided)
+    assert np.array_equal(out, strided)
+    assert np.array_equal(robot.mass_matrix(np.asfortranarray(q)), out)
+    assert np.array_equal(robot.mass_matrix(np.repeat(q, 2, axis=1)[:, ::2]), out)
+    assert np.array_equal(robot.mass_matrix(q.tolist()), out)
+
+
+def test_models_have_properties():
+    robot = Model.hydra(4, base="floating")
+    assert (robot.nq, robot.nv, robot.nbodies, robot.has_floating_base) == (10, 9, 4, True)
+    assert len(robot.dof_names) == 3  # free-floating: H*
+    assert robot.mass_matrix(robot.neutral()).shape == (3, 3)
+    assert robot.rnea(robot.neutral(), np.zeros(9), np.zeros(9)).shape == (9,)
+    assert "free-floating" in repr(robot)
+    assert Model("puma560").gravity.tolist() == [0, 0, -9.81]
+    heavy = Model.chain(2, mass=3.0).with_armature([1.0, 0.5])
+    assert heavy.armature.tolist() == [1.0, 0.5]
+    assert (heavy.mass_matrix([0, 0]) - Model.chain(2, mass=3.0).mass_matrix([0, 0])).diagonal() == pytest.approx([1, 0.5])
+    weightless = heavy.with_gravity([0, 0, 0])
+    assert np.array_equal(weightless.gravity_force([0.1, 0.2]), [0, 0])
+
+
+def test_models_survive_pickling():
+    robot = Model("hydra(5,1,0,1)")
+    again = pickle.loads(pickle.dumps(robot))
+    assert np.array_equal(again.mass_matrix(np.ones(5)), robot.mass_matrix(np.ones(5)))
+    assert copy.copy(robot).nq == 5
+    with pytest.raises(TypeError, match="pickled"):
+        pickle.dumps(robot.with_armature(np.ones(5)))
+
+
+def test_converted_models_have_the_same_matrix(tmp_path):
+    for robot, suffix in [(Model.hydra(6, 2, 0.3), "urdf"), (Model("puma560"), "xml")]:
+        text = robot.to_urdf() if suffix == "urdf" else robot.to_mjcf()
+        path = tmp_path / f"robot.{suffix}"
+        path.write_text(text)
+        again = Model(path)
+        q = robot.random(1)
+        assert np.allclose(again.mass_matrix(q), robot.mass_matrix(q), rtol=0, atol=1e-12)
+    with pytest.raises(eigenbody.InputError, match="armature"):
+        Model("puma560").to_urdf()
+
+
+def test_a_tracker_follows():
+    robot = Model.hydra(20)
+    motion = np.linspace(0, 1, 200)[:, None] * np.linspace(0.5, 1, 20)
+    tracker = eigenbody.Tracker(robot, motion[0])
+    tracked = tracker.update(motion)
+    assert np.allclose(tracked, robot.extremes(motion), rtol=1e-12, atol=0)
+    assert tracker.update(motion[-1]).shape == (2,)
+    x = tracker.softest
+    assert x @ robot.mass_matrix(motion[-1]) @ x == pytest.approx(tracked[-1, 0], rel=1e-9)
+
+
+def test_reproduce_gives_claims():
+    claims = eigenbody.reproduce("S-eq7", quick=True)
+    assert "S-eq7" in [claim["id"] for claim in claims]
+    assert all("verdict" in claim for claim in claims)

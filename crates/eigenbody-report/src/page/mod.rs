@@ -1,0 +1,95 @@
+//! A report to keep: one HTML file that needs nothing else.
+//!
+//! No script, no request: the style is inside, drawings are SVG by [`figure`](crate::figure), and the content security policy allows nothing
+//! more. Every number that `check --format json` prints as a result stands in a `<data>` element whose `value` is exact. The
+//! same robot, options and seed give the same bytes.
+
+mod html;
+mod numbers;
+mod pictures;
+mod prose;
+
+use crate::diagnosis::DiagnosisReport;
+use eigenbody_study::portrait::Portrait;
+use html::Html;
+
+/// Where a measure is worst, drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorstPicture {
+    /// The measures that are worst here: `kappa`, `kappa_weighted`, `lambda_min`.
+    pub measures: Vec<&'static str>,
+    /// The robot there.
+    pub portrait: Portrait,
+}
+
+/// What a page is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Page {
+    /// The findings and the numbers.
+    pub report: DiagnosisReport,
+    /// The robot's own name.
+    pub robot: String,
+    /// `fixed`, `floating` or `free-floating`.
+    pub base: String,
+    /// Total mass (kg).
+    pub mass: f64,
+    /// Number of moving bodies.
+    pub bodies: usize,
+    /// Names and units of coordinates, for the table of configurations.
+    pub coordinates: Vec<(String, &'static str)>,
+    /// Unit of λmin.
+    pub unit: &'static str,
+    /// The worst configurations.
+    pub worst: Vec<WorstPicture>,
+    /// How it was computed: what, and how much.
+    pub method: Vec<(String, String)>,
+}
+
+/// How a measure is written.
+fn symbol(measure: &str) -> &'static str {
+    match measure {
+        "kappa" => "κ",
+        "kappa_weighted" => "κ′",
+        _ => "λmin",
+    }
+}
+
+/// `worst κ and λmin`.
+fn heading(worst: &WorstPicture) -> String {
+    let symbols: Vec<&str> = worst.measures.iter().map(|measure| symbol(measure)).collect();
+    format!("worst {}", symbols.join(" and "))
+}
+
+impl Page {
+    /// The page.
+    pub fn to_html(&self) -> String {
+        let title = format!("{}: conditioning", self.report.model);
+        let section = |id: &'static str, heading: &'static str, inner: Html| {
+            let heading = Html::words("h2", heading);
+            Html::element("section", &[("id", id)], heading.then(inner)).then(Html::fixed("\n"))
+        };
+        let main = [
+            section("findings", "Findings", prose::findings(&self.report)),
+            section("numbers", "Numbers", numbers::summary(self)),
+            section("worst", "Worst configurations", pictures::worst(self)),
+            section("spectrum", "Spectrum", pictures::spectrum(self)),
+            section("matrix", "Matrix", pictures::matrices(self)),
+            section("configurations", "Coordinates", numbers::coordinates(self)),
+            section("method", "How it was computed", prose::method(self)),
+        ];
+        let page = Html::fixed("<a class=\"skip\" href=\"#findings\">To the findings</a>\n")
+            .then(Html::element("header", &[], prose::lead(self)))
+            .then(Html::element("main", &[], Html::all(main)))
+            .then(prose::footer());
+        format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n\
+             <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n\
+             <meta name=\"color-scheme\" content=\"light dark\">\n\
+             {}\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+            Html::words("title", title).into_string(),
+            include_str!("style.css"),
+            page.into_string()
+        )
+    }
+}

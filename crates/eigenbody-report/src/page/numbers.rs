@@ -1,0 +1,148 @@
+//! Numbers as tables: shown to six digits, exact in `<data value>`.
+
+use super::html::{Html, table};
+use super::{Page, heading, symbol};
+use crate::diagnosis::AdviceReport;
+use crate::number::significant;
+use eigenbody_study::portrait::ModePlace;
+
+/// A number with its exact value; `nothing` where there is none.
+pub(super) fn data(id: &str, x: Option<f64>, nothing: &str) -> Html {
+    match x {
+        Some(x) => {
+            let exact = format!("{x:?}");
+            let attributes: Vec<(&'static str, &str)> = match id {
+                "" => vec![("value", &exact)],
+                id => vec![("id", id), ("value", &exact)],
+            };
+            Html::element("data", &attributes, Html::text(significant(x, 6).replace('-', "−")))
+        }
+        None => Html::text(nothing),
+    }
+}
+
+/// Measures, digits, and the joints' rates where nothing is moved.
+pub(super) fn summary(page: &Page) -> Html {
+    let report = &page.report;
+    let rows = report.worst.iter().map(|worst| {
+        let nothing = if worst.measure == "lambda_min" { "0" } else { "∞" };
+        let cell = |what: &str, x: Option<f64>| data(&format!("{}-{what}", worst.measure), x, nothing);
+        let unit = if worst.measure == "lambda_min" { page.unit } else { "" };
+        let (name, use_of) = match worst.measure {
+            "kappa" => ("κ", "gains, explicit steps, gradients"),
+            "kappa_weighted" => ("κ′", "digits of a solve"),
+            _ => ("λmin", "least inertia of any motion"),
+        };
+        vec![
+            Html::text(name),
+            cell("worst", worst.worst),
+            cell("median", worst.median),
+            cell("tenth", worst.tenth),
+            Html::text(unit),
+            Html::text(use_of),
+        ]
+    });
+    let headings = ["", "worst", "median", "worst tenth from", "unit", "matters for"];
+    let mut whole = table("Over the joint limits", &headings, rows);
+    if let Some(digits) = &report.digits {
+        let rows = digits.lost.iter().map(|loss| {
+            let cell = |precision: &str, x: Option<f64>| {
+                data(&format!("lost-{}-{precision}", loss.method.replace(' ', "-")), x, "all")
+            };
+            vec![Html::text(loss.method), cell("f32", loss.f32), cell("f64", loss.f64)]
+        });
+        let kept = [(
+            "kept by the worst of them",
+            data("left-f32", Some(digits.left_in_f32), ""),
+            data("left-f64", Some(digits.left_in_f64), ""),
+        )];
+        let rows = rows.chain(kept.map(|(what, a, b)| vec![Html::text(what), a, b]));
+        let caption = "Decimal digits of an acceleration lost at the worst κ′, measured against double-double (single precision has 7.2, double 16.0)";
+        whole.push(table(caption, &["way of solving", "single", "double"], rows));
+        let predicted = Html::fixed("Predicted from κ′: ")
+            .then(data("predicted-loss", Some(digits.predicted_loss), ""))
+            .then(Html::text(" digits lost."));
+        whole.push(Html::element("p", &[], predicted));
+    }
+    for (k, motion) in report.null_motions.iter().enumerate() {
+        let rows = motion.iter().map(|rate| vec![Html::text(&rate.joint), data("", Some(rate.rate), "")]);
+        whole.push(table(&format!("Motion {} that moves no mass", k + 1), &["joint", "rate"], rows));
+    }
+    whole
+}
+
+/// What to add.
+pub(super) fn advice(advice: &AdviceReport) -> Html {
+    let goal = if advice.measure == "kappa" { "κ at most" } else { "λmin at least" };
+    let rows = advice.added.iter().filter(|added| added.added > 0.0).map(|added| {
+        vec![
+            Html::text(&added.joint),
+            data("", Some(added.authored), ""),
+            data("", Some(added.added), ""),
+            data("", Some(100.0 * added.inflation), ""),
+        ]
+    });
+    let caption =
+        format!("The least armature for {goal} {} in every configuration", significant(advice.wanted, 4));
+    Html::words("h3", "Armature").then(table(
+        &caption,
+        &["joint", "has (kg m², kg)", "add", "% of its own inertia"],
+        rows,
+    ))
+}
+
+/// Joints of a mode with bars.
+pub(super) fn mode(title: &str, mode: &ModePlace, names: &[String]) -> Html {
+    let mut order: Vec<usize> = (0..names.len()).collect();
+    order.sort_by(|&a, &b| mode.shares[b].total_cmp(&mode.shares[a]));
+    let rows = order.iter().take(12).filter(|&&k| mode.shares[k] >= 5e-4).map(|&k| {
+        let width = format!("width:{:.2}rem", 8.0 * mode.shares[k]);
+        let bar = Html::element(
+            "span",
+            &[("class", "bar"), ("style", &width), ("aria-hidden", "true")],
+            Html::new(),
+        );
+        vec![
+            Html::text(&names[k]),
+            data("", Some(mode.rates[k]), ""),
+            Html::text(format!("{:.1}% ", 100.0 * mode.shares[k])).then(bar),
+        ]
+    });
+    table(title, &["joint", "rate", "share"], rows)
+}
+
+/// Every coordinate at every worst configuration.
+pub(super) fn coordinates(page: &Page) -> Html {
+    if page.worst.is_empty() {
+        return Html::words("p", "The robot has no degrees of freedom.");
+    }
+    let headings: Vec<String> = page.worst.iter().map(heading).collect();
+    let mut columns = vec!["coordinate", "unit"];
+    columns.extend(headings.iter().map(String::as_str));
+    let rows = page.coordinates.iter().enumerate().map(|(k, (name, unit))| {
+        let mut row = vec![Html::text(name), Html::text(unit)];
+        row.extend(page.worst.iter().map(|worst| data("", worst.portrait.q.get(k).copied(), "")));
+        row
+    });
+    table("All coordinates of the worst configurations", &columns, rows)
+}
+
+/// Everything about one configuration, in one line of a table.
+pub(super) fn verdicts(page: &Page) -> Html {
+    let rows = page.worst.iter().map(|worst| {
+        let verdict = &worst.portrait.verdict;
+        let error = |x: Option<f64>| x.map_or_else(String::new, |x| format!(" ± {x:.0e}"));
+        let [least, most] = verdict.error_estimate;
+        let finite = |x: Option<f64>| x.filter(|x| x.is_finite());
+        vec![
+            Html::text(heading(worst)),
+            Html::text(&worst.portrait.metric),
+            data("", finite(verdict.kappa), "∞"),
+            data("", finite(verdict.kappa_weighted), "∞"),
+            data("", finite(verdict.lambda_min), "0").then(Html::text(error(least))),
+            data("", finite(verdict.lambda_max), "∞").then(Html::text(error(most))),
+        ]
+    });
+    let headings = ["at the", "metric", "κ", symbol("kappa_weighted"), "λmin", "λmax"];
+    table("Spectra, with estimated relative errors", &headings, rows)
+}

@@ -1,0 +1,95 @@
+//! The position pass of the fast kernels: sines and cosines of all hinges at once, and where all other joints stand.
+
+use crate::model::{Mechanism, Member, MotionKind};
+use crate::scalar::{Scalar, sin_cos_all};
+use crate::spatial::{Mat3, Motion, Placed, Transform, Vec3};
+
+/// A mechanism at q.
+#[derive(Debug, Clone)]
+pub(super) struct Posture<T> {
+    /// N: the angle of each hinge, zero for other joints; sine and cosine of angle and offset.
+    angle: Vec<T>,
+    sin: Vec<T>,
+    cos: Vec<T>,
+    /// From the parent to the body, and columns of S by DoF: for joints that are neither hinge nor slide.
+    pub X: Vec<Transform<T>>,
+    pub S: Vec<Motion<T>>,
+}
+
+impl<T: Scalar> Posture<T> {
+    pub fn new(mechanism: &Mechanism<T::Constant>) -> Self {
+        let n = mechanism.members.len();
+        let others = mechanism.members.iter().enumerate().filter(|(_, m)| m.motion == MotionKind::Other);
+        let (bodies, dofs) = others
+            .map(|(i, m)| (i + 1, m.v0 as usize + m.joint.nv()))
+            .fold((0, 0), |(i, d), other| (i.max(other.0), d.max(other.1)));
+        let zeros = vec![T::ZERO; n];
+        Self {
+            angle: zeros.clone(),
+            sin: zeros.clone(),
+            cos: zeros,
+            X: vec![Transform::IDENTITY; bodies],
+            S: vec![Motion::ZERO; dofs],
+        }
+    }
+
+    #[inline(always)]
+    pub fn update<S: Scalar<Stored = T>>(&mut self, mechanism: &Mechanism<S::Constant>, q: &[T]) {
+        let Self { angle, sin, cos, .. } = self;
+        for (angle, m) in angle.iter_mut().zip(&mechanism.members) {
+            *angle = if m.motion == MotionKind::Hinge { q[m.q0 as usize] } else { T::ZERO };
+        }
+        sin_cos_all::<S>(angle, sin, cos);
+        let offsets = mechanism.sin_offset.iter().zip(&mechanism.cos_offset);
+        for ((sin, cos), (&s0, &c0)) in sin.iter_mut().zip(cos).zip(offsets) {
+            let (s, c, s0, c0) = (S::load(*sin), S::load(*cos), S::constant(s0), S::constant(c0));
+            (*sin, *cos) = (s.mul_add(c0, c * s0).store(), c.mul_add(c0, -(s * s0)).store());
+        }
+        for i in 0..self.X.len() {
+            let m = &mechanism.members[i];
+            if m.motion == MotionKind::Other {
+                self.place::<S>(i, m, q);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn place<S: Scalar<Stored = T>>(&mut self, i: usize, m: &Member<S::Constant>, q: &[T]) {
+        let (mut numbers, mut columns) = ([S::ZERO; 7], [Motion::<S>::ZERO; 6]);
+        let (nq, nv) = (m.joint.nq(), m.joint.nv());
+        for (number, &q) in numbers.iter_mut().zip(&q[m.q0 as usize..][..nq]) {
+            *number = S::load(q);
+        }
+        let joint = m.joint.map(S::constant);
+        let X_J = joint.kinematics(&numbers[..nq], &mut columns[..nv]);
+        let X_tree = Transform::new(m.C.map(S::constant), m.r.map(S::constant));
+        self.X[i] = (X_J * X_tree).map(S::store);
+        for (S, column) in self.S[m.v0 as usize..][..nv].iter_mut().zip(columns) {
+            *S = column.map(S::store);
+        }
+    }
+
+    /// Sine and cosine of hinge i.
+    #[inline(always)]
+    pub fn turn<S: Scalar<Stored = T>>(&self, i: usize) -> (S, S) {
+        (S::load(self.sin[i]), S::load(self.cos[i]))
+    }
+
+    /// From the parent to body i, on a joint that is neither hinge nor slide.
+    #[inline(always)]
+    pub fn placed<S: Scalar<Stored = T>>(&self, i: usize) -> Placed<S, Mat3<S>> {
+        let X = self.X[i].map(S::load);
+        Placed { E: X.E, r: X.r }
+    }
+}
+
+/// The constant part of a slide's transform.
+#[inline(always)]
+pub(super) fn slide<S: Scalar>(m: &Member<S::Constant>) -> Placed<S, Mat3<S>> {
+    Placed { E: m.C.map(S::constant), r: position::<S>(m) }
+}
+
+#[inline(always)]
+pub(super) fn position<S: Scalar>(m: &Member<S::Constant>) -> Vec3<S> {
+    m.r.map(S::constant)
+}

@@ -1,0 +1,233 @@
+//! The model as the kernels of `dynamics` see it: in frames turned so that most constant rotations cost nothing.
+//!
+//! ```text
+//! E_tree = Rz(γ) Rx(α) Rz(β)                z-x-z Euler angles
+//! E = Rz(q) E_tree = Rz(q + γ) Rx(α)        once the frame of the body that carries it is turned by β about its axis
+//! ```
+//! A body on a hinge may be turned about its axis at will: it is turned by the β of the largest subtree that it carries
+//! (Denavit and Hartenberg's choice of x). What is left is Rx(α), and α is often nothing or a quarter turn. H, τ and v̇ do not depend on
+//! any of this. Nothing is rounded to a quarter turn that is not one to the last digits.
+
+use super::body::{Body, JointInfo, WORLD};
+use crate::joint::Joint;
+use crate::scalar::Real;
+use crate::spatial::{Mat3, PseudoInertia, Transform, Vec3};
+
+/// A turn this many ε from a round one is a round one.
+const ROUND: f64 = 4.0;
+
+/// The bodies in pre-order, what their joints' angles are counted from, and where quaternions stand.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Mechanism<T> {
+    pub members: Vec<Member<T>>,
+    /// Sine and cosine of γ, and of a prismatic joint's turn as a whole.
+    pub sin_offset: Vec<T>,
+    pub cos_offset: Vec<T>,
+    /// The joints whose coordinates hold a quaternion, and where it begins in q.
+    pub quaternions: Vec<(u32, u32)>,
+}
+
+/// A body.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Member<T> {
+    /// One more than the body that carries it, 0 for the world.
+    pub parent: u32,
+    pub q0: u32,
+    pub v0: u32,
+    pub motion: MotionKind,
+    pub twist: Twist,
+    /// C, and the position of the joint, in the frame of the body that carries it.
+    pub C: Mat3<T>,
+    pub r: Vec3<T>,
+    pub I: PseudoInertia<T>,
+    pub joint: Joint<T>,
+}
+
+/// How a body moves against the one that carries it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MotionKind {
+    /// E = Rz(q + γ) C.
+    Hinge,
+    /// E = Rz(γ) C, then q along z.
+    Slide,
+    /// As its joint says, after C and r.
+    Other,
+}
+
+/// What is known of C.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Twist {
+    Straight,
+    Quarter,
+    ThreeQuarters,
+    AboutX,
+    Any,
+}
+
+/// Runs `$step` with `$C` the constant rotation of `$member`, its type as narrow as is known.
+macro_rules! with_twist {
+    ($member:expr, $S:ty, $C:ident => $step:expr) => {{
+        use $crate::model::Twist;
+        use $crate::spatial::{AboutX, Quarter, Straight};
+        match $member.twist {
+            Twist::Straight => {
+                let $C = Straight;
+                $step
+            }
+            Twist::Quarter => {
+                let $C = Quarter::<true>;
+                $step
+            }
+            Twist::ThreeQuarters => {
+                let $C = Quarter::<false>;
+                $step
+            }
+            Twist::AboutX => {
+                let $C = AboutX(<$S>::constant($member.C.y.z), <$S>::constant($member.C.y.y));
+                $step
+            }
+            Twist::Any => {
+                let $C = $member.C.map(<$S>::constant);
+                $step
+            }
+        }
+    }};
+}
+pub(crate) use with_twist;
+
+impl<T: Real> Mechanism<T> {
+    pub fn new(bodies: &[Body<T>], joints: &[JointInfo<T>]) -> Self {
+        let mut turns: Vec<Turn<T>> = vec![Turn::NONE; bodies.len()];
+        for body in bodies {
+            // Children come by ascending size of their subtrees: the last one decides.
+            if let (true, Some(p)) = (motion(body) == MotionKind::Hinge, body.parent())
+                && motion(&bodies[p]) != MotionKind::Other
+            {
+                turns[p] = Euler::new(body.X_tree.E).beta;
+            }
+        }
+        let quaternion = |(index, joint): (u32, &JointInfo<T>)| {
+            joint.kind.quaternion().map(|at| (index, joint.q0 + at as u32))
+        };
+        let mut mechanism = Self {
+            quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
+            members: Vec::with_capacity(bodies.len()),
+            sin_offset: Vec::with_capacity(bodies.len()),
+            cos_offset: Vec::with_capacity(bodies.len()),
+        };
+        for (i, body) in bodies.iter().enumerate() {
+            let parent_turn = body.parent().map_or(Turn::NONE, |p| turns[p]);
+            let r = parent_turn.matrix() * body.X_tree.r;
+            let E = body.X_tree.E * parent_turn.matrix().transpose();
+            let own = turns[i];
+            let motion = motion(body);
+            let (offset, twist, C) = match motion {
+                MotionKind::Hinge => {
+                    let Euler { gamma, alpha, beta } = Euler::new(E);
+                    let (twist, C) = match beta == Turn::NONE {
+                        true => (alpha.twist(), alpha.about_x()),
+                        false => (Twist::Any, alpha.about_x() * beta.matrix()),
+                    };
+                    (gamma.then(own), twist, C)
+                }
+                MotionKind::Slide => (Turn::NONE, Twist::Any, own.matrix() * E),
+                MotionKind::Other => (Turn::NONE, Twist::Any, E),
+            };
+            let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
+            mechanism.members.push(Member {
+                parent: if body.parent == WORLD { 0 } else { body.parent + 1 },
+                q0: body.q0,
+                v0: body.v0,
+                motion,
+                twist,
+                C,
+                r,
+                I: turned.into(),
+                joint: body.joint,
+            });
+            mechanism.sin_offset.push(offset.s);
+            mechanism.cos_offset.push(offset.c);
+        }
+        mechanism
+    }
+}
+
+fn motion<T: Real>(body: &Body<T>) -> MotionKind {
+    match body.joint {
+        Joint::Revolute | Joint::Continuous => MotionKind::Hinge,
+        Joint::Prismatic => MotionKind::Slide,
+        _ => MotionKind::Other,
+    }
+}
+
+/// A turn by the angle with this sine and cosine.
+#[derive(Clone, Copy, PartialEq)]
+struct Turn<T> {
+    s: T,
+    c: T,
+}
+
+impl<T: Real> Turn<T> {
+    const NONE: Self = Self { s: T::ZERO, c: T::ONE };
+
+    /// The turn of the direction (c, s), made unit; round where it is so to the last digits.
+    fn new(s: T, c: T) -> Self {
+        let norm = s.mul_add(s, c * c).sqrt();
+        let (s, c) = (s / norm, c / norm);
+        let sign = |x: T| if x < T::ZERO { -T::ONE } else { T::ONE };
+        let round = T::from_f64(ROUND * T::EPSILON);
+        if s.abs() < round {
+            Self { s: T::ZERO, c: sign(c) }
+        } else if c.abs() < round {
+            Self { s: sign(s), c: T::ZERO }
+        } else {
+            Self { s, c }
+        }
+    }
+
+    fn then(self, b: Self) -> Self {
+        Self { s: self.s * b.c + self.c * b.s, c: self.c * b.c - self.s * b.s }
+    }
+
+    /// About z.
+    fn matrix(self) -> Mat3<T> {
+        Mat3::rotation_z((self.s, self.c))
+    }
+
+    fn about_x(self) -> Mat3<T> {
+        let Self { s, c } = self;
+        Mat3::from_rows(Vec3::X, Vec3::new(T::ZERO, c, s), Vec3::new(T::ZERO, -s, c))
+    }
+
+    fn twist(self) -> Twist {
+        match (self.s == T::ZERO, self.c == T::ZERO) {
+            (true, _) if self.c > T::ZERO => Twist::Straight,
+            (_, true) if self.s > T::ZERO => Twist::Quarter,
+            (_, true) => Twist::ThreeQuarters,
+            _ => Twist::AboutX,
+        }
+    }
+}
+
+/// E = Rz(γ) Rx(α) Rz(β), with β in the right half turn.
+struct Euler<T> {
+    gamma: Turn<T>,
+    alpha: Turn<T>,
+    beta: Turn<T>,
+}
+
+impl<T: Real> Euler<T> {
+    fn new(E: Mat3<T>) -> Self {
+        // The last row is (sin α sin β, −sin α cos β, cos α).
+        let sine = E.z.x.mul_add(E.z.x, E.z.y * E.z.y).sqrt();
+        let sine = if E.z.y > T::ZERO { -sine } else { sine };
+        let alpha = Turn::new(sine, E.z.z);
+        let beta = match alpha.s == T::ZERO || E.z.x.abs() < T::from_f64(ROUND * T::EPSILON) {
+            true => Turn::NONE,
+            false => Turn::new(E.z.x / sine, -E.z.y / sine),
+        };
+        // The first column of what is left is (cos γ, −sin γ, 0).
+        let left = E * beta.matrix().transpose();
+        Self { gamma: Turn::new(-left.y.x, left.x.x), alpha, beta }
+    }
+}

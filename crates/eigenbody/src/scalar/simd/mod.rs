@@ -1,0 +1,181 @@
+//! The wide units: the one module with `unsafe`.
+//!
+//! Two promises keep it sound, and both are kept here:
+//!
+//! 1. A value of a wide type exists only inside the entry functions, which run only after the processor was asked for their
+//!    features. The types are private to this module; callers see [`Lane`] and [`Wide`].
+//! 2. Every intrinsic used works on registers: none touches memory, except loads and stores of whole arrays by value.
+//!
+//! Dispatch happens once, around a whole algorithm: the algorithm is generic over its scalar and inlined whole into the entry
+//! function, so that everything in it is compiled for the unit. Plain numbers go to AVX2, where multiplication and addition are one
+//! instruction; AVX-512 would make them slower.
+
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+use super::lanes::{Array, LANES, Lane, Wide};
+use super::{Real, Scalar};
+
+/// An algorithm over eight lanes. `run` must be `#[inline(always)]`, and so must all that it calls per element.
+pub trait LaneAlgorithm {
+    /// What it computes.
+    type Output;
+    /// Runs on any lane type.
+    fn run<L: Lane>(self) -> Self::Output;
+}
+
+/// An algorithm over as many lanes as there are. `run` must be `#[inline(always)]`, and so must all that it calls per element.
+pub trait WideAlgorithm<T: Real> {
+    /// What it computes.
+    type Output;
+    /// Runs on any lane type.
+    fn run<W: Wide<Constant = T>>(self) -> Self::Output;
+}
+
+/// An algorithm over single numbers. `run` must be `#[inline(always)]`, and so must all that it calls per element.
+pub trait Algorithm<T: Real> {
+    /// What it computes.
+    type Output;
+    /// Runs on plain or fused numbers.
+    fn run<S: Scalar<Constant = T, Stored = T>>(self) -> Self::Output;
+}
+
+/// A unit of the processor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Unit {
+    /// What every processor of the target has: on x86-64 two f64 a register.
+    Plain,
+    /// AVX2 with fused multiply-add: four f64.
+    Avx2,
+    /// AVX-512: eight f64.
+    Avx512,
+}
+
+impl Unit {
+    /// The widest that this processor has. Never changes while the program runs.
+    #[inline]
+    pub fn widest() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") && has_fma() {
+                return Self::Avx512;
+            }
+            if has_fma() {
+                return Self::Avx2;
+            }
+        }
+        Self::Plain
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn has_fma() -> bool {
+    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+}
+
+/// Runs an algorithm on the widest unit that this processor has.
+#[inline]
+pub fn dispatch<A: LaneAlgorithm>(algorithm: A) -> A::Output {
+    match Unit::widest() {
+        // SAFETY: the processor has the features that the entry function is compiled for.
+        #[cfg(target_arch = "x86_64")]
+        Unit::Avx512 => unsafe { x86::lanes_avx512(algorithm) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Unit::Avx2 => unsafe { x86::lanes_avx2(algorithm) },
+        _ => algorithm.run::<Array<LANES>>(),
+    }
+}
+
+/// Runs an algorithm on single numbers, fused where this processor can.
+#[inline]
+pub fn dispatch_one<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
+    #[cfg(target_arch = "x86_64")]
+    if has_fma() {
+        // SAFETY: the processor has the features that the entry function is compiled for.
+        return unsafe { x86::one_fused(algorithm) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    if cfg!(target_arch = "aarch64") {
+        return algorithm.run::<T::Fused>();
+    }
+    algorithm.run::<T>()
+}
+
+/// Numbers of which the wide units hold several: f32 and f64.
+pub trait Batched: Real {
+    /// Runs an algorithm on `unit`, or on the widest that this processor has if that is less.
+    fn dispatch_wide<A: WideAlgorithm<Self>>(unit: Unit, algorithm: A) -> A::Output;
+}
+
+macro_rules! batched {
+    ($T:ident, $plain:literal, $avx2:ident, $avx512:ident) => {
+        impl Batched for $T {
+            #[inline]
+            fn dispatch_wide<A: WideAlgorithm<Self>>(unit: Unit, algorithm: A) -> A::Output {
+                match unit.min(Unit::widest()) {
+                    // SAFETY: the processor has the features that the entry function is compiled for.
+                    #[cfg(target_arch = "x86_64")]
+                    Unit::Avx512 => unsafe { x86::wide_avx512::<x86::$avx512, _, _>(algorithm) },
+                    // SAFETY: as above.
+                    #[cfg(target_arch = "x86_64")]
+                    Unit::Avx2 => unsafe { x86::wide_avx2::<x86::$avx2, _, _>(algorithm) },
+                    _ => algorithm.run::<Array<$plain, $T>>(),
+                }
+            }
+        }
+    };
+}
+
+batched!(f64, 2, F64x4, F64x8);
+batched!(f32, 4, F32x8, F32x16);
+
+#[cfg(test)]
+mod tests {
+    use super::super::lanes::{Array, LANES, Lane};
+    use super::{LaneAlgorithm, dispatch};
+
+    /// Every operation of the lane type, on awkward numbers.
+    struct Everything;
+
+    impl LaneAlgorithm for Everything {
+        type Output = Vec<[f64; LANES]>;
+        #[inline(always)]
+        fn run<L: Lane>(self) -> Self::Output {
+            let a = L::from_array([1.0, -2.5, 3e300, -4e-300, 0.0, 6.25, -7e-310, 1e308]);
+            let b = L::from_array([3.0, 2.5, -1e-5, 4e300, -0.0, 6.25, 2.0, -0.5]);
+            let (m, e) = a.split_exponent();
+            [
+                a + b,
+                a - b,
+                a * b,
+                a / (b + L::ONE),
+                -a,
+                a.abs(),
+                a.abs().sqrt(),
+                a.min(b),
+                a.max(b),
+                a.select_lt(b, L::ONE, L::ZERO),
+                m,
+                e,
+                L::from_f64(0.1),
+            ]
+            .map(L::to_array)
+            .to_vec()
+        }
+    }
+
+    /// The wide unit agrees with plain arrays to the bit in every operation but the fused one.
+    #[test]
+    fn wide_lanes_agree_with_arrays() {
+        let (wide, plain) = (dispatch(Everything), Everything.run::<Array<LANES>>());
+        for (operation, (wide, plain)) in wide.iter().zip(&plain).enumerate() {
+            for lane in 0..LANES {
+                let same = wide[lane].to_bits() == plain[lane].to_bits()
+                    || (wide[lane].is_nan() && plain[lane].is_nan());
+                assert!(same, "operation {operation}, lane {lane}: {} {}", wide[lane], plain[lane]);
+            }
+        }
+    }
+}

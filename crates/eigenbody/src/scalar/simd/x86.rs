@@ -1,0 +1,378 @@
+//! Registers of AVX2 and AVX-512, and the entry functions that are compiled for them.
+
+use super::super::lanes::{LANES, Lane, Wide, lane_operators};
+use super::super::{Real, Scalar};
+use super::{Algorithm, LaneAlgorithm, WideAlgorithm};
+use std::arch::x86_64::*;
+use std::mem::transmute;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+#[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+pub(super) fn lanes_avx512<A: LaneAlgorithm>(algorithm: A) -> A::Output {
+    algorithm.run::<F64x8>()
+}
+
+#[target_feature(enable = "avx2,fma")]
+pub(super) fn lanes_avx2<A: LaneAlgorithm>(algorithm: A) -> A::Output {
+    algorithm.run::<Pair>()
+}
+
+#[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+pub(super) fn wide_avx512<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(algorithm: A) -> A::Output {
+    algorithm.run::<W>()
+}
+
+#[target_feature(enable = "avx2,fma")]
+pub(super) fn wide_avx2<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(algorithm: A) -> A::Output {
+    algorithm.run::<W>()
+}
+
+#[target_feature(enable = "avx2,fma")]
+pub(super) fn one_fused<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
+    algorithm.run::<T::Fused>()
+}
+
+// SAFETY of every block below: promise 1 of the module; the types exist only where their features do.
+
+/// One register of `$N` numbers.
+macro_rules! register {
+    (
+        $Type:ident, $T:ident, $N:literal, $Register:ident, $what:literal,
+        $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $fmadd:ident, $min:ident, $max:ident,
+        $andnot:ident, $set1:ident,
+        |$a:ident, $b:ident, $yes:ident, $no:ident| $select:expr,
+        |$x:ident, $y:ident| $below:expr
+    ) => {
+        #[doc = $what]
+        #[derive(Debug, Clone, Copy)]
+        pub(in super::super) struct $Type($Register);
+
+        impl $Type {
+            #[inline(always)]
+            fn plus(self, b: Self) -> Self {
+                Self(unsafe { $add(self.0, b.0) })
+            }
+            #[inline(always)]
+            fn minus(self, b: Self) -> Self {
+                Self(unsafe { $sub(self.0, b.0) })
+            }
+            #[inline(always)]
+            fn times(self, b: Self) -> Self {
+                Self(unsafe { $mul(self.0, b.0) })
+            }
+            #[inline(always)]
+            fn over(self, b: Self) -> Self {
+                Self(unsafe { $div(self.0, b.0) })
+            }
+            #[inline(always)]
+            fn negated(self) -> Self {
+                // −0 − x is −x for every x, and is recognised as a negation: it then costs nothing before a product.
+                Self(unsafe { $sub($set1(-0.0), self.0) })
+            }
+            #[inline(always)]
+            const fn all(x: $T) -> Self {
+                Self(unsafe { transmute::<[$T; $N], $Register>([x; $N]) })
+            }
+            #[inline(always)]
+            fn numbers(self) -> [$T; $N] {
+                unsafe { transmute::<$Register, [$T; $N]>(self.0) }
+            }
+        }
+
+        lane_operators!($Type);
+
+        impl Scalar for $Type {
+            type Constant = $T;
+            #[inline(always)]
+            fn constant(c: $T) -> Self {
+                Self(unsafe { $set1(c) })
+            }
+            type Stored = Self;
+            #[inline(always)]
+            fn load(x: Self) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn store(self) -> Self {
+                self
+            }
+            const ZERO: Self = Self::all(0.0);
+            const ONE: Self = Self::all(1.0);
+            #[inline(always)]
+            fn from_f64(x: f64) -> Self {
+                Self::constant(x as $T)
+            }
+            #[inline(always)]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                Self(unsafe { $fmadd(self.0, a.0, b.0) })
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(unsafe { $sqrt(self.0) })
+            }
+            fn sin_cos(self) -> (Self, Self) {
+                let x = self.numbers();
+                let (mut sin, mut cos) = (x, x);
+                for k in 0..$N {
+                    (sin[k], cos[k]) = x[k].sin_cos();
+                }
+                (Self::from_slice(&sin), Self::from_slice(&cos))
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                Self(unsafe { $andnot($set1(-0.0), self.0) })
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                Self(unsafe { $min(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                Self(unsafe { $max(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
+                let ($a, $b, $yes, $no) = (self.0, other.0, yes.0, no.0);
+                Self(unsafe { $select })
+            }
+            #[inline(always)]
+            fn any_above(self, bound: $T) -> bool {
+                let ($x, $y) = (Self::constant(bound).0, self.0);
+                unsafe { $below }
+            }
+        }
+
+        impl Wide for $Type {
+            const WIDTH: usize = $N;
+            #[inline(always)]
+            fn from_slice(x: &[$T]) -> Self {
+                let mut numbers = [0.0; $N];
+                numbers.copy_from_slice(&x[..$N]);
+                Self(unsafe { transmute::<[$T; $N], $Register>(numbers) })
+            }
+            #[inline(always)]
+            fn to_slice(self, out: &mut [$T]) {
+                out[..$N].copy_from_slice(&self.numbers());
+            }
+        }
+    };
+}
+
+register!(
+    F64x8,
+    f64,
+    8,
+    __m512d,
+    "Eight f64.",
+    _mm512_add_pd,
+    _mm512_sub_pd,
+    _mm512_mul_pd,
+    _mm512_div_pd,
+    _mm512_sqrt_pd,
+    _mm512_fmadd_pd,
+    _mm512_min_pd,
+    _mm512_max_pd,
+    _mm512_andnot_pd,
+    _mm512_set1_pd,
+    |a, b, yes, no| _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b), no, yes),
+    |x, y| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, y) != 0
+);
+register!(
+    F64x4,
+    f64,
+    4,
+    __m256d,
+    "Four f64.",
+    _mm256_add_pd,
+    _mm256_sub_pd,
+    _mm256_mul_pd,
+    _mm256_div_pd,
+    _mm256_sqrt_pd,
+    _mm256_fmadd_pd,
+    _mm256_min_pd,
+    _mm256_max_pd,
+    _mm256_andnot_pd,
+    _mm256_set1_pd,
+    |a, b, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(a, b)),
+    |x, y| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(x, y)) != 0
+);
+register!(
+    F32x16,
+    f32,
+    16,
+    __m512,
+    "Sixteen f32.",
+    _mm512_add_ps,
+    _mm512_sub_ps,
+    _mm512_mul_ps,
+    _mm512_div_ps,
+    _mm512_sqrt_ps,
+    _mm512_fmadd_ps,
+    _mm512_min_ps,
+    _mm512_max_ps,
+    _mm512_andnot_ps,
+    _mm512_set1_ps,
+    |a, b, yes, no| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), no, yes),
+    |x, y| _mm512_cmp_ps_mask::<_CMP_LT_OQ>(x, y) != 0
+);
+register!(
+    F32x8,
+    f32,
+    8,
+    __m256,
+    "Eight f32.",
+    _mm256_add_ps,
+    _mm256_sub_ps,
+    _mm256_mul_ps,
+    _mm256_div_ps,
+    _mm256_sqrt_ps,
+    _mm256_fmadd_ps,
+    _mm256_min_ps,
+    _mm256_max_ps,
+    _mm256_andnot_ps,
+    _mm256_set1_ps,
+    |a, b, yes, no| _mm256_blendv_ps(no, yes, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)),
+    |x, y| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(x, y)) != 0
+);
+
+impl Lane for F64x8 {
+    #[inline(always)]
+    fn from_array(x: [f64; LANES]) -> Self {
+        Self::from_slice(&x)
+    }
+    #[inline(always)]
+    fn to_array(self) -> [f64; LANES] {
+        self.numbers()
+    }
+    #[inline(always)]
+    fn split_exponent(self) -> (Self, Self) {
+        unsafe {
+            let bits = _mm512_castpd_si512(self.0);
+            let mantissa = _mm512_and_si512(bits, _mm512_set1_epi64(0x000f_ffff_ffff_ffff));
+            let mantissa = _mm512_or_si512(mantissa, _mm512_set1_epi64(0x3ff0_0000_0000_0000));
+            let biased = _mm512_and_si512(_mm512_srli_epi64::<52>(bits), _mm512_set1_epi64(0x7ff));
+            let exponent = _mm512_sub_epi64(biased, _mm512_set1_epi64(1023));
+            (Self(_mm512_castsi512_pd(mantissa)), Self(_mm512_cvtepi64_pd(exponent)))
+        }
+    }
+}
+
+impl F64x4 {
+    #[inline(always)]
+    fn split_exponent(self) -> (Self, Self) {
+        unsafe {
+            let bits = _mm256_castpd_si256(self.0);
+            let mantissa = _mm256_and_si256(bits, _mm256_set1_epi64x(0x000f_ffff_ffff_ffff));
+            let mantissa = _mm256_or_si256(mantissa, _mm256_set1_epi64x(0x3ff0_0000_0000_0000));
+            let biased = _mm256_and_si256(_mm256_srli_epi64::<52>(bits), _mm256_set1_epi64x(0x7ff));
+            // An integer below 2^52 placed in the mantissa of 2^52 is 2^52 + itself.
+            let shifted = _mm256_or_si256(biased, _mm256_set1_epi64x(0x4330_0000_0000_0000));
+            let exponent =
+                _mm256_sub_pd(_mm256_castsi256_pd(shifted), _mm256_set1_pd(4_503_599_627_370_496.0 + 1023.0));
+            (Self(_mm256_castsi256_pd(mantissa)), Self(exponent))
+        }
+    }
+}
+
+/// Eight f64 in two registers.
+#[derive(Debug, Clone, Copy)]
+struct Pair(F64x4, F64x4);
+
+impl Pair {
+    #[inline(always)]
+    fn plus(self, b: Self) -> Self {
+        Self(self.0 + b.0, self.1 + b.1)
+    }
+    #[inline(always)]
+    fn minus(self, b: Self) -> Self {
+        Self(self.0 - b.0, self.1 - b.1)
+    }
+    #[inline(always)]
+    fn times(self, b: Self) -> Self {
+        Self(self.0 * b.0, self.1 * b.1)
+    }
+    #[inline(always)]
+    fn over(self, b: Self) -> Self {
+        Self(self.0 / b.0, self.1 / b.1)
+    }
+    #[inline(always)]
+    fn negated(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+lane_operators!(Pair);
+
+impl Scalar for Pair {
+    type Constant = f64;
+    #[inline(always)]
+    fn constant(c: f64) -> Self {
+        Self(F64x4::constant(c), F64x4::constant(c))
+    }
+    type Stored = Self;
+    #[inline(always)]
+    fn load(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn store(self) -> Self {
+        self
+    }
+    const ZERO: Self = Self(F64x4::ZERO, F64x4::ZERO);
+    const ONE: Self = Self(F64x4::ONE, F64x4::ONE);
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self::constant(x)
+    }
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_add(a.0, b.0), self.1.mul_add(a.1, b.1))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let ((s0, c0), (s1, c1)) = (self.0.sin_cos(), self.1.sin_cos());
+        (Self(s0, s1), Self(c0, c1))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0), self.1.min(other.1))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0), self.1.max(other.1))
+    }
+    #[inline(always)]
+    fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
+        Self(self.0.select_lt(other.0, yes.0, no.0), self.1.select_lt(other.1, yes.1, no.1))
+    }
+    #[inline(always)]
+    fn any_above(self, bound: f64) -> bool {
+        self.0.any_above(bound) || self.1.any_above(bound)
+    }
+}
+
+impl Lane for Pair {
+    #[inline(always)]
+    fn from_array(x: [f64; LANES]) -> Self {
+        Self(F64x4::from_slice(&x), F64x4::from_slice(&x[4..]))
+    }
+    #[inline(always)]
+    fn to_array(self) -> [f64; LANES] {
+        let mut x = [0.0; LANES];
+        self.0.to_slice(&mut x);
+        self.1.to_slice(&mut x[4..]);
+        x
+    }
+    #[inline(always)]
+    fn split_exponent(self) -> (Self, Self) {
+        let ((m0, e0), (m1, e1)) = (self.0.split_exponent(), self.1.split_exponent());
+        (Self(m0, m1), Self(e0, e1))
+    }
+}

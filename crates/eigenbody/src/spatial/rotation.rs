@@ -1,0 +1,190 @@
+//! Rotations by what is known of them before the configuration is: each is applied in as few products as it needs.
+
+use super::{ArticulatedInertia, Force, Mat3, Motion, PseudoInertia, Sym3, Vec3};
+use crate::scalar::Scalar;
+
+/// A rotation of coordinates E, old to new.
+pub(crate) trait Rotation<T>: Copy {
+    /// E v.
+    fn times(self, v: Vec3<T>) -> Vec3<T>;
+    /// Eᵀ v.
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T>;
+    /// Eᵀ A E.
+    fn congruence(self, A: Sym3<T>) -> Sym3<T>;
+    /// Eᵀ A E of a matrix that is not symmetric.
+    fn similarity(self, A: Mat3<T>) -> Mat3<T>;
+}
+
+/// E = 1.
+#[derive(Clone, Copy)]
+pub(crate) struct Straight;
+
+/// A quarter turn about x, forwards or back: coordinates change places.
+#[derive(Clone, Copy)]
+pub(crate) struct Quarter<const FORWARDS: bool>;
+
+/// A turn about x by the angle with this sine and cosine.
+#[derive(Clone, Copy)]
+pub(crate) struct AboutX<T>(pub T, pub T);
+
+/// First `first`, then a turn about z by the angle with this sine and cosine.
+#[derive(Clone, Copy)]
+pub(crate) struct ThenZ<T, C> {
+    pub turn: (T, T),
+    pub first: C,
+}
+
+impl<T: Scalar> Rotation<T> for Straight {
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        v
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        v
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        A
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        A
+    }
+}
+
+impl<T: Scalar, const FORWARDS: bool> Rotation<T> for Quarter<FORWARDS> {
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        if FORWARDS { Vec3::new(v.x, v.z, -v.y) } else { Vec3::new(v.x, -v.z, v.y) }
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        if FORWARDS { Vec3::new(v.x, -v.z, v.y) } else { Vec3::new(v.x, v.z, -v.y) }
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        let (xy, xz) = if FORWARDS { (-A.xz, A.xy) } else { (A.xz, -A.xy) };
+        Sym3 { xx: A.xx, yy: A.zz, zz: A.yy, xy, xz, yz: -A.yz }
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        let Mat3 { x, y, z } = A;
+        if FORWARDS {
+            Mat3 { x: Vec3::new(x.x, -x.z, x.y), y: Vec3::new(-z.x, z.z, -z.y), z: Vec3::new(y.x, -y.z, y.y) }
+        } else {
+            Mat3 { x: Vec3::new(x.x, x.z, -x.y), y: Vec3::new(z.x, z.z, -z.y), z: Vec3::new(-y.x, -y.z, y.y) }
+        }
+    }
+}
+
+impl<T: Scalar> Rotation<T> for AboutX<T> {
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        let Self(s, c) = self;
+        Vec3::new(v.x, c.mul_add(v.y, s * v.z), c.mul_add(v.z, -(s * v.y)))
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        let Self(s, c) = self;
+        Vec3::new(v.x, c.mul_add(v.y, -(s * v.z)), s.mul_add(v.y, c * v.z))
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        let Self(s, c) = self;
+        // Rows y and z of A Rx, of which the columns are then combined.
+        let (yy, yz) = (c.mul_add(A.yy, -(s * A.yz)), s.mul_add(A.yy, c * A.yz));
+        let (zy, zz) = (c.mul_add(A.yz, -(s * A.zz)), s.mul_add(A.yz, c * A.zz));
+        Sym3 {
+            xx: A.xx,
+            yy: c.mul_add(yy, -(s * zy)),
+            zz: s.mul_add(yz, c * zz),
+            xy: c.mul_add(A.xy, -(s * A.xz)),
+            xz: s.mul_add(A.xy, c * A.xz),
+            yz: c.mul_add(yz, -(s * zz)),
+        }
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        let Self(s, c) = self;
+        let (x, y, z) = (self.transpose_times(A.x), self.transpose_times(A.y), self.transpose_times(A.z));
+        Mat3 { x, y: y.mul_add(c, -(z * s)), z: y.mul_add(s, z * c) }
+    }
+}
+
+impl<T: Scalar> Rotation<T> for Mat3<T> {
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        self * v
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        Mat3::transpose_times(self, v)
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        A.congruence(self)
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        self.transpose() * A * self
+    }
+}
+
+impl<T: Scalar, C: Rotation<T>> Rotation<T> for ThenZ<T, C> {
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        let ((s, c), v) = (self.turn, self.first.times(v));
+        Vec3::new(c.mul_add(v.x, s * v.y), c.mul_add(v.y, -(s * v.x)), v.z)
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        self.first.transpose_times(v.turned_about_z(self.turn))
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        self.first.congruence(A.turned_about_z(self.turn))
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        self.first.similarity(A.turned_about_z(self.turn))
+    }
+}
+
+/// ₙX_o of a rotation of any kind: X = [E 0; −E r× E].
+#[derive(Clone, Copy)]
+pub(crate) struct Placed<T, R> {
+    pub E: R,
+    /// Where the new origin stands in the old frame.
+    pub r: Vec3<T>,
+}
+
+impl<T: Scalar, R: Rotation<T>> Placed<T, R> {
+    /// X m.
+    #[inline(always)]
+    pub fn motion(self, m: Motion<T>) -> Motion<T> {
+        Motion { ang: self.E.times(m.ang), lin: self.E.times(m.lin + m.ang.cross(self.r)) }
+    }
+
+    /// Xᵀ f.
+    #[inline(always)]
+    pub fn transpose_force(self, f: Force<T>) -> Force<T> {
+        let lin = self.E.transpose_times(f.lin);
+        Force { ang: self.E.transpose_times(f.ang) + self.r.cross(lin), lin }
+    }
+
+    /// A rigid body's inertia back in old coordinates.
+    #[inline(always)]
+    pub fn transpose_pseudo(self, I: PseudoInertia<T>) -> PseudoInertia<T> {
+        let turned = PseudoInertia { m: I.m, h: self.E.transpose_times(I.h), P: self.E.congruence(I.P) };
+        turned.shifted(self.r)
+    }
+
+    /// Xᵀ IA X.
+    #[inline(always)]
+    pub fn transpose_articulated(self, A: ArticulatedInertia<T>) -> ArticulatedInertia<T> {
+        let E = self.E;
+        ArticulatedInertia { I: E.congruence(A.I), H: E.similarity(A.H), M: E.congruence(A.M) }
+            .shifted(self.r)
+    }
+}

@@ -1,0 +1,86 @@
+//! Constant rotations of every class, angles of every size.
+
+use eigenbody::dynamics::plain;
+use eigenbody::model::{JointSpec, Random};
+use eigenbody::scalar::Dd;
+use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
+use eigenbody::{Base, Joint, Model, ModelBuilder, inverse_dynamics, mass_matrix};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// A branched robot whose joints are placed with the given roll, pitch and yaw, again and again.
+fn robot(angles: &[[f64; 3]], base: Base) -> Model<f64> {
+    let mut random = Random::new(5);
+    let mut robot = ModelBuilder::new("turns");
+    robot.gravity(Vec3::from_f64([1.0, -3.0, -9.0]));
+    let mut inertia = || {
+        let c = Vec3::from_f64([0; 3].map(|_| random.between(-0.2, 0.2)));
+        RigidInertia::from_com(random.between(0.5, 3.0), c, Sym3::diagonal(0.02, 0.03, 0.04))
+    };
+    let mut links = vec![robot.link("base", inertia())];
+    for (k, &[roll, pitch, yaw]) in angles.iter().cycle().take(3 * angles.len()).enumerate() {
+        let link = robot.link(format!("link {k}"), inertia());
+        let kind = if k % 5 == 4 { Joint::Prismatic } else { Joint::Revolute };
+        let parent = links[if k % 3 == 2 { links.len() / 2 } else { links.len() - 1 }];
+        let place = Transform::new(Mat3::rotation_rpy(roll, pitch, yaw), Vec3::new(0.1, 0.2, -0.3));
+        robot.joint(JointSpec::new(format!("joint {k}"), kind, parent, link).at(place).about(Vec3::Z));
+        links.push(link);
+    }
+    robot.build(base).unwrap()
+}
+
+/// Exact quarter turns, turns rounded as files round them, none, half turns and any.
+const ANGLES: [[f64; 3]; 10] = [
+    [FRAC_PI_2, 0.0, 0.0],
+    [-FRAC_PI_2, 0.0, 0.0],
+    [1.5708, 0.0, 0.0],
+    [0.0, 0.0, 0.0],
+    [0.0, 0.0, 0.7],
+    [PI, 0.0, 0.0],
+    [0.0, FRAC_PI_2, 0.0],
+    [0.3, -1.0, 2.0],
+    [1e-9, 0.0, 0.0],
+    [0.0, 1e-15, FRAC_PI_2],
+];
+
+#[test]
+fn every_class_of_rotation_agrees_with_double_double() {
+    for base in [Base::Fixed, Base::Floating] {
+        for first in 0..ANGLES.len() {
+            let angles: Vec<[f64; 3]> = (0..ANGLES.len()).map(|k| ANGLES[(first + 3 * k) % 10]).collect();
+            let model = robot(&angles, base);
+            let (q, nv) = (model.random(3), model.nv());
+            let exact =
+                plain::mass_matrix(&model.cast::<Dd>(), &q.iter().map(|&q| q.into()).collect::<Vec<Dd>>());
+            let (H, exact) = (mass_matrix(&model, &q).unwrap(), exact.unwrap());
+            for d in 0..nv {
+                for e in 0..nv {
+                    let size = (exact[(d, d)].hi() * exact[(e, e)].hi()).sqrt();
+                    // A few roundings of coordinates for every body on the way.
+                    let bound = 4.0 * nv as f64 * f64::EPSILON * size;
+                    let apart = (H[(d, e)] - exact[(d, e)].hi()).abs();
+                    assert!(apart <= bound, "{base:?} {first} H({d}, {e}): {apart:e} of {bound:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Beyond the range of the fast sines, and at its border, the library's own take over.
+#[test]
+fn large_angles_are_no_worse() {
+    let model = robot(&ANGLES, Base::Fixed);
+    let zeros = vec![0.0; model.nv()];
+    for size in [1.0, 1e3, 799_999.0, 800_001.0, 1e7, 1e15] {
+        let q: Vec<f64> = (0..model.nv()).map(|k| size * (1.0 - k as f64 / 100.0)).collect();
+        let (tau, book) = (
+            inverse_dynamics(&model, &q, &zeros, &zeros),
+            plain::inverse_dynamics(&model, &q, &zeros, &zeros),
+        );
+        let (tau, book) = (tau.unwrap(), book.unwrap());
+        // A prismatic joint this far out carries moments as large.
+        let scale = book.iter().fold(0.0, |m: f64, x| m.max(x.abs())) * 50.0 * model.nv() as f64;
+        for (x, y) in tau.iter().zip(&book) {
+            assert!((x - y).abs() <= f64::EPSILON * scale, "{size:e}: {x} {y}");
+        }
+    }
+}

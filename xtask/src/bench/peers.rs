@@ -1,0 +1,168 @@
+//! `cargo xtask bench-peers`: eigenbody beside other dynamics libraries on published robots.
+//!
+//! One description of each robot goes to every peer, so that no parser stands between; all take turns, and medians are compared.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use super::figures::Figures;
+use super::report::{self, table, time};
+use super::write;
+use crate::program::{build_directory, cargo, output, program, root, run};
+use crate::{Outcome, oracle};
+
+/// Name, base, and file below the robots of example-robot-data.
+const ROBOTS: [(&str, &str, &str); 6] = [
+    ("ur5", "fixed", "ur_description/urdf/ur5_robot.urdf"),
+    ("xarm7", "fixed", "xarm_description/urdf/xarm7.urdf"),
+    ("panda", "fixed", "panda_description/urdf/panda.urdf"),
+    ("anymal", "floating", "anymal_b_simple_description/robots/anymal.urdf"),
+    ("g1", "floating", "g1_description/urdf/g1_29dof_rev_1_0.urdf"),
+    ("talos", "floating", "talos_data/robots/talos_reduced.urdf"),
+];
+
+/// Builds of Pinocchio: header-only code is as fast as the compiler may make it.
+const BUILDS: [(&str, &[&str]); 3] =
+    [("native", &["-march=native"]), ("avx2", &["-mavx2", "-mfma"]), ("plain", &[])];
+/// Pinocchio's variant of joints is longer than Boost's default lists.
+const LISTS: [&str; 4] = [
+    "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
+    "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
+    "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
+    "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS",
+];
+const EIGEN: &str = "/usr/include/eigen3";
+
+/// What is compared: quantity, title, peers by the beginning of their names, the goal for each robot.
+struct Contest {
+    quantity: &'static str,
+    title: &'static str,
+    peers: &'static [&'static str],
+}
+
+const CONTESTS: [Contest; 6] = [
+    Contest { quantity: "rnea", title: "Inverse dynamics", peers: &["pinocchio", "dynibo"] },
+    Contest { quantity: "aba", title: "Forward dynamics", peers: &["pinocchio", "dynibo"] },
+    Contest { quantity: "crba", title: "Mass matrix", peers: &["pinocchio", "mujoco", "dynibo"] },
+    Contest { quantity: "bias", title: "Bias force C(q, v)", peers: &["pinocchio", "mujoco"] },
+    Contest { quantity: "extremes", title: "Mass matrix, λmin and λmax", peers: &["pinocchio"] },
+    Contest {
+        quantity: "eigenvalues",
+        title: "λmin and λmax of a given matrix",
+        peers: &["nalgebra", "faer", "lapack"],
+    },
+];
+
+/// Measures, prints, writes `peers.json` into the build directory and the section of docs/performance.md.
+pub fn bench() -> Outcome {
+    if !oracle::python().exists() {
+        return Err("the oracle is not installed: run `cargo xtask oracle` first".into());
+    }
+    let directory = build_directory()?.join("peers");
+    let packages = output(
+        program(oracle::python()).args(["-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]),
+    )?;
+    let packages = PathBuf::from(packages.trim());
+    run(cargo(&["build", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"])
+        .arg(&directory))?;
+    let programs = compile(&directory, &packages)?;
+    let peers = directory.join("release/peers");
+    let robots = directory.join("robots");
+    let _ = fs::remove_dir_all(&robots);
+    run(program(&peers).arg("dump").arg(&robots).args(ROBOTS.map(|(name, base, file)| {
+        let share = packages.join("cmeel.prefix/share/example-robot-data/robots");
+        format!("{name}={base}:{}", share.join(file).display())
+    })))?;
+    let mut figures = Figures::default();
+    let mut race = program(&peers);
+    race.arg("race").arg(&robots).args(programs).stderr(Stdio::inherit());
+    figures.read(&output(race.env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))?)?;
+    let text = text(&figures);
+    println!("\n{text}");
+    write(&directory.join("peers.json"), &figures.json())?;
+    report::update(&root().join("docs/performance.md"), "bench-peers", &text)
+}
+
+/// The contestants that are programs of their own, as `peers race` is told.
+fn compile(directory: &Path, packages: &Path) -> Result<Vec<String>, String> {
+    if !Path::new(EIGEN).exists() {
+        return Err(format!(
+            "{EIGEN} is not there: install Eigen (Debian, Ubuntu: apt install libeigen3-dev)"
+        ));
+    }
+    let sources = root().join("benches/peers/cpp");
+    let mut programs = Vec::new();
+    for (name, flags) in BUILDS {
+        let built = directory.join(format!("pinocchio-{name}"));
+        let mut call = program("g++");
+        call.args(["-O3", "-DNDEBUG"]).args(flags).args(LISTS);
+        call.arg("-isystem").arg(packages.join("cmeel.prefix/include")).args(["-isystem", EIGEN]);
+        gcc(call, &sources, "pinocchio.cpp", &[], &built)?;
+        programs.push(format!("pinocchio-{name}={}", built.display()));
+    }
+    let mujoco = packages.join("mujoco");
+    let library = fs::read_dir(&mujoco)
+        .map_err(|error| format!("{}: {error}", mujoco.display()))?
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .find(|path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("libmujoco.so")))
+        .ok_or("MuJoCo's library is not where its package should have it")?;
+    let built = directory.join("mujoco");
+    let mut call = program("g++");
+    call.args(["-O3", "-DNDEBUG", "-isystem"]).arg(mujoco.join("include"));
+    call.arg(format!("-Wl,-rpath,{}", mujoco.display()));
+    gcc(call, &sources, "mujoco.cpp", &[library], &built)?;
+    programs.push(format!("mujoco={}", built.display()));
+    programs.push(format!("lapack={},oracle/lapack_peer.py", oracle::python().display()));
+    Ok(programs)
+}
+
+/// Runs a compiler unless what it makes is newer than the sources.
+fn gcc(mut call: Command, sources: &Path, source: &str, libraries: &[PathBuf], built: &Path) -> Outcome {
+    let changed = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
+    let source = sources.join(source);
+    let newest = changed(&source).max(changed(&sources.join("robot.hpp")));
+    if changed(built) > newest {
+        return Ok(());
+    }
+    run(call.arg("-std=c++17").arg(&source).args(libraries).arg("-o").arg(built))
+}
+
+/// The fastest of a peer's builds and conventions, and its name; nothing if it took no part.
+fn best<'a>(figures: &'a Figures, head: &'a str, peer: &str) -> Option<(f64, &'a str)> {
+    let names = figures.names(head).filter(|name| name.starts_with(peer) && !name.ends_with("-only"));
+    names.map(|name| (figures.get(&format!("{head}{name}")), name)).min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+fn text(figures: &Figures) -> String {
+    let tables = CONTESTS.map(|Contest { quantity, title, peers }| {
+        let row = |(robot, base, _): (&str, &str, &str)| {
+            let head = format!("{robot} {quantity} ");
+            let ours = figures.get(&format!("{head}eigenbody"));
+            let label = if base == "floating" { format!("{robot}, floating") } else { robot.to_owned() };
+            let cells = peers.iter().flat_map(|peer| match best(figures, &head, peer) {
+                Some((seconds, _)) => [time(seconds), format!("{:.2}×", seconds / ours)],
+                None => ["–".to_owned(), "–".to_owned()],
+            });
+            [label, time(ours)].into_iter().chain(cells).collect::<Vec<_>>()
+        };
+        let head: Vec<&str> = ["robot", "eigenbody"]
+            .into_iter()
+            .chain(peers.iter().flat_map(|peer| [*peer, "ratio"]))
+            .collect();
+        table(title, &head, &ROBOTS.map(row))
+    });
+    let fastest = |quantity: &str| {
+        let heads = ROBOTS.map(|(robot, ..)| format!("{robot} {quantity} "));
+        let names = heads
+            .iter()
+            .filter_map(|head| best(figures, head, "pinocchio"))
+            .map(|(_, name)| format!("`{}`", name.trim_start_matches("pinocchio-")));
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        names.dedup();
+        names.join(", ")
+    };
+    let wins = ["rnea", "aba", "crba"].map(|quantity| format!("{quantity} {}", fastest(quantity))).join("; ");
+    format!("{}\nPinocchio's best builds and conventions: {wins}.\n", tables.join("\n"))
+}
