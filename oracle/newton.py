@@ -36,7 +36,8 @@ joints, this one 29; aliengo, b2 and h1 of the report are not in the package). W
 |---|---|---|---|---|---|---|---|---|
 {rows}
 
-κ, κ′ and λmin (kg m²) are the worst over the joint limits; *at rest* is the pose with all coordinates zero. *f32 keeps*: digits of an
+κ, κ′ and λmin (kg m²) are the worst over the joint limits; *at rest* is the pose with all coordinates zero, which need not lie within
+the limits. *f32 keeps*: digits of an
 acceleration that the worst of three ways of solving keeps in single precision at the worst κ′, measured against double-double.
 
 Does a measure tell the two kinds apart? For one that does, the worst of the stable robots is better than the best of those that

@@ -145,7 +145,7 @@ impl From<&Sensitivity> for SensitivityReport {
 /// Digits kept.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DigitsReport {
-    /// Predicted loss, log₁₀ (κ′/4).
+    /// Predicted loss with factors of H, log₁₀ (κ′/4).
     pub predicted_loss: f64,
     /// Whether single precision keeps the digits that it must.
     pub float32_safe: bool,
@@ -162,6 +162,8 @@ pub struct DigitsReport {
 pub struct LossReport {
     /// The way.
     pub method: &'static str,
+    /// Digits that it was expected to lose.
+    pub predicted: f64,
     /// In single precision.
     pub f32: Option<f64>,
     /// In double precision.
@@ -301,6 +303,7 @@ impl DiagnosisReport {
                     .iter()
                     .map(|loss| LossReport {
                         method: loss.method,
+                        predicted: loss.predicted,
                         f32: finite(loss.f32),
                         f64: finite(loss.f64),
                     })

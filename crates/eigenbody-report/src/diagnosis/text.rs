@@ -155,10 +155,17 @@ fn configuration(q: &[f64], found: &Diagnosis, joints: &[String]) -> String {
     if q.len() != found.dofs.len() {
         return format!("--at 'q=[..]' with the {} numbers that --format json prints", q.len());
     }
-    let of =
-        |name: &String| found.dofs.iter().position(|dof| dof == name).map(|d| format!("{name}={:.6}", q[d]));
+    let of = |name: &String| {
+        found.dofs.iter().position(|dof| dof == name).map(|d| format!("{name}={}", place(q[d])))
+    };
     let shown: Vec<String> = joints.iter().take(4).filter_map(of).collect();
     format!("{} (all coordinates: --format json)", shown.join(", "))
+}
+
+/// Six decimals, zero without a sign.
+fn place(q: f64) -> String {
+    let text = format!("{q:.6}");
+    if text == "-0.000000" { "0.000000".into() } else { text }
 }
 
 /// Wrapped to the page, further lines indented.
