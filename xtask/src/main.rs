@@ -6,6 +6,7 @@ mod layers;
 mod oracle;
 mod program;
 mod steps;
+mod studies;
 mod suite;
 mod survey;
 
@@ -20,7 +21,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 7] = [
+const TASKS: [Task; 9] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -39,6 +40,12 @@ const TASKS: [Task; 7] = [
         about: "docs/survey.md: `eigenbody check` on published robots",
         run: survey::survey,
     },
+    Task {
+        name: "estimators",
+        about: "docs/estimators.md: estimators of kappa beside kappa, along motions",
+        run: studies::estimators,
+    },
+    Task { name: "cost", about: "docs/cost.md: what ill-conditioning costs", run: studies::cost },
     Task {
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",

@@ -9,6 +9,7 @@ mod excerpt;
 pub mod figure;
 mod info;
 mod matrix;
+mod motion;
 mod number;
 mod reproduction;
 mod rows;
@@ -20,6 +21,7 @@ pub use diagnosis::{AddedReport, AdviceReport, DiagnosisReport, advice_text, dia
 pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::MatrixReport;
+pub use motion::{Page, cost_page, judged_page};
 pub use number::significant;
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};
 #[cfg(feature = "parquet")]
