@@ -12,7 +12,7 @@ ROBOTS = {
     "allegro_hand_description/urdf/allegro_right_hand.urdf": "fixed",
     "baxter_description/urdf/baxter.urdf": "fixed",
     "pr2_description/urdf/pr2.urdf": "fixed",
-    "tiago_pro_description/urdf/tiago_pro.urdf": "fixed",
+    "tiago_pro_description/robots/tiago_pro.urdf": "fixed",
     "hextilt_description/urdf/hextilt_flying_arm_5.urdf": "floating",
     "a1_description/urdf/a1.urdf": "floating",
     "go2_description/urdf/go2.urdf": "floating",

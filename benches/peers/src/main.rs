@@ -1,12 +1,14 @@
 //! eigenbody's spectral engine beside dense eigensolvers, in one process, alternating.
 //!
-//! `peers matrices DIR` writes H of hydra(N, 1, 0, 1) at zag(0) to `DIR/N.f64`, row by row, for LAPACK to read.
+//! `peers matrices DIR` writes H of hydra(N, 1, 0, 1) at zag(0) to `DIR/N.f64`, row by row, for LAPACK to read, and the configurations of
+//! swinging chains to `DIR/swing-ALPHA-N.f64`, with both ends of the spectrum at the last of them in `DIR/swing-ALPHA-N.ends`.
 //! `peers time` prints one line a measurement: name, tab, number; times in seconds.
 
 // H is the book's symbol.
 #![allow(non_snake_case)]
 
 mod clock;
+mod swing;
 
 use clock::Clock;
 use eigenbody::spectrum::sturm::{Pencil, counts};
@@ -68,7 +70,7 @@ fn matrices(directory: &str) -> Outcome {
         let bytes: Vec<u8> = (0..n).flat_map(|i| H.row(i).iter().flat_map(|x| x.to_le_bytes())).collect();
         std::fs::write(format!("{directory}/{n}.f64"), bytes)?;
     }
-    Ok(())
+    swing::write(directory)
 }
 
 fn time() -> Outcome {
@@ -114,6 +116,10 @@ fn time() -> Outcome {
     for (name, pencil) in &pencils {
         let shifts = [1e-3, 1e-2, 0.1, 1.0, 10.0, 1e2, 1e3, 1e4];
         clock.add(name.clone(), move || counts(pencil, black_box(shifts))[0].below);
+    }
+    let swings = swing::all()?;
+    for swing in &swings {
+        swing.time(&mut clock)?;
     }
     clock.run();
     Ok(())

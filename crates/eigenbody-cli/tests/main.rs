@@ -7,6 +7,7 @@ mod bad_input;
 mod check;
 mod formats;
 mod matrix;
+mod motion;
 mod reproduce;
 mod run;
 mod spectrum;

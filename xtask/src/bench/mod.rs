@@ -51,6 +51,9 @@ fn compare(directory: &Path, figures: &mut Figures) -> Outcome {
         let mut lapack = program(oracle::python());
         lapack.arg("oracle/lapack.py").arg(&matrices);
         figures.read(&output(lapack.env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))?)?;
+        let mut pinocchio = program(oracle::python());
+        pinocchio.arg("oracle/tracking.py").arg(&matrices);
+        figures.read(&output(pinocchio.env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))?)?;
     }
     Ok(())
 }
