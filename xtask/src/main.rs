@@ -21,7 +21,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 9] = [
+const TASKS: [Task; 10] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -46,6 +46,11 @@ const TASKS: [Task; 9] = [
         run: studies::estimators,
     },
     Task { name: "cost", about: "docs/cost.md: what ill-conditioning costs", run: studies::cost },
+    Task {
+        name: "tracking",
+        about: "the tracker beside Pinocchio and LAPACK, into docs/performance.md",
+        run: bench::tracking,
+    },
     Task {
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",

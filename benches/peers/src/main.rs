@@ -1,8 +1,9 @@
 //! eigenbody's spectral engine beside dense eigensolvers, in one process, alternating.
 //!
-//! `peers matrices DIR` writes H of hydra(N, 1, 0, 1) at zag(0) to `DIR/N.f64`, row by row, for LAPACK to read, and the configurations of
-//! swinging chains to `DIR/swing-ALPHA-N.f64`, with both ends of the spectrum at the last of them in `DIR/swing-ALPHA-N.ends`.
+//! `peers matrices DIR` writes H of hydra(N, 1, 0, 1) at zag(0) to `DIR/N.f64`, row by row, for LAPACK to read.
 //! `peers time` prints one line a measurement: name, tab, number; times in seconds.
+//! `peers motions DIR` writes the configurations of swinging chains to `DIR/swing-ALPHA-N.f64`, and both ends of the spectrum at the last of
+//! them to `DIR/swing-ALPHA-N.ends`; `peers track` times the tracker along them.
 
 // H is the book's symbol.
 #![allow(non_snake_case)]
@@ -33,7 +34,9 @@ fn main() -> Outcome {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["matrices", directory] => matrices(directory),
         ["time"] => time(),
-        _ => Err("usage: peers matrices DIR | peers time".into()),
+        ["motions", directory] => swing::write(directory),
+        ["track"] => swing::time(),
+        _ => Err("usage: peers matrices DIR | time | motions DIR | track".into()),
     }
 }
 
@@ -70,7 +73,7 @@ fn matrices(directory: &str) -> Outcome {
         let bytes: Vec<u8> = (0..n).flat_map(|i| H.row(i).iter().flat_map(|x| x.to_le_bytes())).collect();
         std::fs::write(format!("{directory}/{n}.f64"), bytes)?;
     }
-    swing::write(directory)
+    Ok(())
 }
 
 fn time() -> Outcome {
@@ -116,10 +119,6 @@ fn time() -> Outcome {
     for (name, pencil) in &pencils {
         let shifts = [1e-3, 1e-2, 0.1, 1.0, 10.0, 1e2, 1e3, 1e4];
         clock.add(name.clone(), move || counts(pencil, black_box(shifts))[0].below);
-    }
-    let swings = swing::all()?;
-    for swing in &swings {
-        swing.time(&mut clock)?;
     }
     clock.run();
     Ok(())

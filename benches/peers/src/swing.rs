@@ -11,19 +11,19 @@ use std::hint::black_box;
 /// Degrees of freedom, and rows of the motion.
 const SIZES: [(usize, usize); 4] = [(7, 200), (35, 200), (100, 100), (1000, 30)];
 /// Skew angles of successive axes: planar, and not.
-pub const SKEWS: [f64; 2] = [0.0, 0.5];
+const SKEWS: [f64; 2] = [0.0, 0.5];
 /// Time from row to row (s).
 const STEP: f64 = 1e-3;
 
 /// hydra(n, 1, α, 1), let go and sampled every millisecond.
-pub struct Swing {
+struct Swing {
     name: String,
     model: Model<f64>,
     rows: Vec<Vec<f64>>,
 }
 
 /// Every size and skew.
-pub fn all() -> Result<Vec<Swing>, Box<dyn Error>> {
+fn all() -> Result<Vec<Swing>, Box<dyn Error>> {
     let mut swings = Vec::new();
     for skew in SKEWS {
         for (n, rows) in SIZES {
@@ -33,8 +33,20 @@ pub fn all() -> Result<Vec<Swing>, Box<dyn Error>> {
     Ok(swings)
 }
 
+/// Times every swing.
+pub fn time() -> Result<(), Box<dyn Error>> {
+    let swings = all()?;
+    let mut clock = Clock::default();
+    for swing in &swings {
+        swing.add(&mut clock)?;
+    }
+    clock.run();
+    Ok(())
+}
+
 /// Configurations, and both ends at the last of them, for other programs to read.
 pub fn write(directory: &str) -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all(directory)?;
     for swing in all()? {
         let bytes: Vec<u8> = swing.rows.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
         std::fs::write(format!("{directory}/swing-{}.f64", swing.name), bytes)?;
@@ -64,7 +76,7 @@ impl Swing {
     }
 
     /// One step of the tracker, and H with its eigenvalues, each to and fro along the motion.
-    pub fn time<'a>(&'a self, clock: &mut Clock<'a>) -> Result<(), Box<dyn Error>> {
+    fn add<'a>(&'a self, clock: &mut Clock<'a>) -> Result<(), Box<dyn Error>> {
         let tracker = RefCell::new(Tracker::new(&self.model, &self.rows[0], &Metric::Euclidean, false)?);
         let turn = RefCell::new(Turn::default());
         clock.add(format!("track {}", self.name), move || {

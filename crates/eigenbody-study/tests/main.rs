@@ -12,4 +12,5 @@ mod diagnosis;
 mod estimators;
 mod experiment;
 mod fit;
+mod motion;
 mod simulate;

@@ -6,12 +6,14 @@
 mod figures;
 mod instructions;
 mod report;
+mod tracking;
 
 use std::path::{Path, PathBuf};
 
 use crate::program::{build_directory, cargo, output, program, root, run};
 use crate::{Outcome, oracle};
 use figures::Figures;
+pub use tracking::tracking;
 
 /// Turns of each program.
 const ROUNDS: usize = 5;
@@ -33,17 +35,14 @@ pub fn bench() -> Outcome {
     let text = report::text(&figures);
     println!("\n{text}");
     write(&directory.join("bench.json"), &figures.json())?;
-    report::update(&root().join("docs/performance.md"), &text)?;
+    report::update(&root().join("docs/performance.md"), "bench", &text)?;
     limits
 }
 
 /// The engine beside faer, in one process, and LAPACK.
 fn compare(directory: &Path, figures: &mut Figures) -> Outcome {
-    let target = directory.join("peers");
-    run(cargo(&["build", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"])
-        .arg(&target))?;
-    let peers = target.join("release/peers");
-    let matrices = target.join("matrices");
+    let peers = peers(directory)?;
+    let matrices = directory.join("peers/matrices");
     run(program(&peers).arg("matrices").arg(&matrices))?;
     for round in 1..=ROUNDS {
         println!("compare: round {round} of {ROUNDS}");
@@ -51,11 +50,16 @@ fn compare(directory: &Path, figures: &mut Figures) -> Outcome {
         let mut lapack = program(oracle::python());
         lapack.arg("oracle/lapack.py").arg(&matrices);
         figures.read(&output(lapack.env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))?)?;
-        let mut pinocchio = program(oracle::python());
-        pinocchio.arg("oracle/tracking.py").arg(&matrices);
-        figures.read(&output(pinocchio.env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))?)?;
     }
     Ok(())
+}
+
+/// Builds `benches/peers`.
+fn peers(directory: &Path) -> Result<PathBuf, String> {
+    let target = directory.join("peers");
+    run(cargo(&["build", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"])
+        .arg(&target))?;
+    Ok(target.join("release/peers"))
 }
 
 /// Time and peak memory of the command, the building of the model included.

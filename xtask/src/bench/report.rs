@@ -5,39 +5,31 @@ use std::path::Path;
 use super::{Figures, SHAPES, SIZES, write};
 use crate::Outcome;
 
-const BEGIN: &str = "<!-- begin: written by `cargo xtask bench` -->\n";
 const END: &str = "<!-- end -->";
 
-/// Puts the text between the markers of a file.
-pub fn update(path: &Path, text: &str) -> Outcome {
+/// Puts the text between a task's markers in a file.
+pub fn update(path: &Path, task: &str, text: &str) -> Outcome {
     let old =
         std::fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
-    let new = between(&old, text).ok_or_else(|| format!("{}: no markers", path.display()))?;
+    let new = between(&old, task, text).ok_or_else(|| format!("{}: no markers", path.display()))?;
     write(&path.to_path_buf(), &new)
 }
 
-fn between(old: &str, text: &str) -> Option<String> {
-    let (before, rest) = old.split_once(BEGIN)?;
+fn between(old: &str, task: &str, text: &str) -> Option<String> {
+    let begin = format!("<!-- begin: written by `cargo xtask {task}` -->\n");
+    let (before, rest) = old.split_once(&begin)?;
     let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}\n{text}\n{END}{after}"))
+    Some(format!("{before}{begin}\n{text}\n{END}{after}"))
 }
 
 /// All tables, in Markdown.
 pub fn text(figures: &Figures) -> String {
-    [
-        extremes(figures),
-        tracking(figures),
-        all(figures),
-        crossover(figures),
-        sweeps(figures),
-        scale(figures),
-        counts(figures),
-    ]
-    .join("\n")
+    [extremes(figures), all(figures), crossover(figures), sweeps(figures), scale(figures), counts(figures)]
+        .join("\n")
 }
 
 /// A time with three digits and a fitting unit.
-fn time(seconds: f64) -> String {
+pub fn time(seconds: f64) -> String {
     let (number, unit) = match seconds {
         s if s < 1e-6 => (s * 1e9, "ns"),
         s if s < 1e-3 => (s * 1e6, "µs"),
@@ -48,7 +40,7 @@ fn time(seconds: f64) -> String {
     format!("{number:.digits$} {unit}")
 }
 
-fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+pub fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let head: Vec<String> = head.iter().map(ToString::to_string).collect();
     let rule = format!("|{}\n", "---|".repeat(head.len()));
@@ -75,45 +67,6 @@ fn extremes(figures: &Figures) -> String {
         error("max eigenbody"),
         error("max lapack"),
         figures.get("passes"),
-    )
-}
-
-fn tracking(figures: &Figures) -> String {
-    let mut rows = Vec::new();
-    let mut worst = 0.0f64;
-    for skew in ["0", "0.5"] {
-        for (n, goal) in [(7, 2), (35, 5), (100, 20), (1000, 200)] {
-            let get = |what: &str| figures.get(&format!("{what} {skew}-{n}"));
-            let (track, dense, pinocchio) = (get("track"), get("dense"), get("pinocchio"));
-            worst = worst.max(get("error track"));
-            let ratio = |other: f64| format!("{:.1}×", other / track);
-            rows.push(vec![
-                n.to_string(),
-                if skew == "0" { "parallel" } else { "skew" }.to_owned(),
-                time(track),
-                time(pinocchio),
-                ratio(pinocchio),
-                format!("{goal}×"),
-                time(dense),
-                ratio(dense),
-            ]);
-        }
-    }
-    let head = [
-        "n",
-        "axes",
-        "tracker, both ends",
-        "Pinocchio CRBA, LAPACK",
-        "ratio",
-        "goal",
-        "own CRBA, faer",
-        "ratio",
-    ];
-    format!(
-        "{}\nOne step of 1 ms of a chain that swings, hydra(n, 1, α, 1) with α = 0 or 0.5, one thread. Pinocchio and LAPACK are called from Python, which \
-         adds some microseconds a step and decides the figure at n = 7; CRBA and faer run in the tracker's own process. Largest difference of \
-         either end, of λmax: {worst:.0e}.\n",
-        table("Both extremes along a motion", &head, &rows)
     )
 }
 
@@ -224,9 +177,10 @@ mod tests {
 
     #[test]
     fn the_text_goes_between_the_markers() {
-        let old = format!("a\n{BEGIN}old\n{END}\nb\n");
-        assert_eq!(between(&old, "new\n"), Some(format!("a\n{BEGIN}\nnew\n\n{END}\nb\n")));
-        assert_eq!(between("a\n", "new\n"), None);
+        let begin = "<!-- begin: written by `cargo xtask bench` -->\n";
+        let old = format!("a\n{begin}old\n{END}\nb\n");
+        assert_eq!(between(&old, "bench", "new\n"), Some(format!("a\n{begin}\nnew\n\n{END}\nb\n")));
+        assert_eq!(between(&old, "other", "new\n"), None);
     }
 
     #[test]
