@@ -10,6 +10,7 @@ mod check;
 mod formats;
 mod judged;
 mod matrix;
+mod motion;
 mod page;
 mod reproduce;
 mod run;
