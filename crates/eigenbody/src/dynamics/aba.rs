@@ -163,16 +163,15 @@ fn at_rest<S: Scalar>(
             MotionKind::Hinge => {
                 eliminate.unit::<2>(d);
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, S, C => {
+                with_twist!(m, C: S => {
                     let X = Placed { E: ThenZ { turn, first: C }, r };
                     (X.transpose_articulated(IA_i), X.transpose_force(p_i))
                 })
             }
             MotionKind::Slide => {
                 eliminate.unit::<5>(d);
-                let (X, q) = (slide::<S>(m), S::load(q[m.q0 as usize]));
-                let IA_i = IA_i.shifted_along_z(q);
-                (X.transpose_articulated(IA_i), X.transpose_force(p_i.shifted_along_z(q)))
+                let X = slide::<S>(m, q);
+                (X.transpose_articulated(IA_i), X.transpose_force(p_i))
             }
             MotionKind::Other => {
                 for (d, &column) in (d..d + m.joint.nv()).zip(m.joint.columns()).rev() {
@@ -192,9 +191,9 @@ fn at_rest<S: Scalar>(
         let mut a_i = match m.motion {
             MotionKind::Hinge => {
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
+                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
             }
-            MotionKind::Slide => slide::<S>(m).motion(a_p).shifted_along_z(S::load(q[m.q0 as usize])),
+            MotionKind::Slide => slide::<S>(m, q).motion(a_p),
             MotionKind::Other => posture.placed::<S>(i).motion(a_p),
         };
         match m.motion {

@@ -11,7 +11,7 @@
 //! instruction; AVX-512 would make them slower.
 
 #[cfg(target_arch = "x86_64")]
-mod x86;
+pub(super) mod x86;
 
 use super::lanes::{Array, LANES, Lane, Wide};
 use super::{Real, Scalar};
@@ -88,18 +88,25 @@ pub fn dispatch<A: LaneAlgorithm>(algorithm: A) -> A::Output {
     }
 }
 
-/// Runs an algorithm on single numbers, fused where this processor can.
+/// Runs an algorithm on single numbers: fused, and with wide columns, where this processor can.
 #[inline]
 pub fn dispatch_one<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
+    T::dispatch_one(algorithm)
+}
+
+/// Runs an algorithm on `F`, or on plain numbers where there is no fused multiply-add.
+#[inline]
+pub(super) fn dispatch_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
+    algorithm: A,
+) -> A::Output {
     #[cfg(target_arch = "x86_64")]
     if has_fma() {
         // SAFETY: the processor has the features that the entry function is compiled for.
-        return unsafe { x86::one_fused(algorithm) };
+        return unsafe { x86::one_fused::<F, _, _>(algorithm) };
     }
-    #[cfg(not(target_arch = "x86_64"))]
-    if cfg!(target_arch = "aarch64") {
-        return algorithm.run::<T::Fused>();
-    }
+    #[cfg(target_arch = "aarch64")]
+    return algorithm.run::<F>();
+    #[cfg(not(target_arch = "aarch64"))]
     algorithm.run::<T>()
 }
 
