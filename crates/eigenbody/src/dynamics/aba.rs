@@ -30,10 +30,10 @@ pub struct AbaWorkspace<T> {
     p: Vec<Force<T>>,
     a: Vec<Motion<T>>,
     /// nv: C, then u. Written by the bias pass and the backward sweep.
-    pub(super) u: Vec<T>,
+    u: Vec<T>,
     /// nv: U = IA S and the hinge inertia D. Written by the backward sweep.
     U: Vec<Force<T>>,
-    pub(super) D: Vec<T>,
+    D: Vec<T>,
 }
 
 impl<T: Scalar> AbaWorkspace<T> {
@@ -49,6 +49,13 @@ impl<T: Scalar> AbaWorkspace<T> {
             U: vec![Force::ZERO; nv],
             D: vec![T::ZERO; nv],
         }
+    }
+}
+
+impl<T> AbaWorkspace<T> {
+    /// The hinge inertias of the last sweep.
+    pub(crate) fn pivots(&self) -> &[T] {
+        &self.D
     }
 }
 
@@ -106,7 +113,7 @@ pub fn forward_dynamics_into<T: Real>(
 }
 
 /// The algorithm with its arguments, which have been checked.
-pub(super) struct Aba<'a, T, U> {
+pub(crate) struct Aba<'a, T, U> {
     pub model: &'a Model<T>,
     pub q: &'a [U],
     pub v: &'a [U],

@@ -109,7 +109,7 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
 }
 
 /// Where the entries of H go, each once, those below the diagonal only.
-pub(super) trait Entries<T> {
+pub(crate) trait Entries<T> {
     /// H_de.
     fn put(&mut self, d: usize, e: usize, H_de: T);
     /// H_de for several d; none for slots that are [`EMPTY`].
@@ -137,7 +137,7 @@ impl<T: Real> Entries<T> for Matrix<T> {
 
 /// Position pass and the loop over bodies. Entries between branches are not put.
 #[inline(always)]
-pub(super) fn crba<S: Scalar, H: Entries<S::Stored>>(
+pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
     model: &Model<S::Constant>,
     q: &[S::Stored],
     CrbaWorkspace { posture, Ic, F }: &mut CrbaWorkspace<S::Stored>,
@@ -154,28 +154,25 @@ pub(super) fn crba<S: Scalar, H: Entries<S::Stored>>(
         if m.parent == 0 {
             continue;
         }
-        let carrier = &members[m.parent as usize - 1];
-        let mut columns = Columns::<S, H> { posture, slots, m, carrier, F, H: &mut *H };
         let up = match m.motion {
             MotionKind::Hinge => {
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
                 let turns = (turn.0.spread(), turn.1.spread());
                 with_twist!(m, C: S, Cs: S::Columns => {
-                    columns.carry(Placed { E: ThenZ { turn: turns, first: Cs }, r: r.map(S::spread) });
+                    carry::<S, _>(m, Placed { E: ThenZ { turn: turns, first: Cs }, r: r.map(S::spread) }, F);
                     Placed { E: ThenZ { turn, first: C }, r }.transpose_pseudo(Ic_i)
                 })
             }
-            MotionKind::Slide => {
-                let X = slide::<S>(m, q);
-                columns.carry(X.spread());
-                X.transpose_pseudo(Ic_i)
-            }
-            MotionKind::Other => {
-                let X = posture.placed::<S>(i);
-                columns.carry(X.spread());
+            MotionKind::Slide | MotionKind::Other => {
+                let X = match m.motion {
+                    MotionKind::Slide => slide::<S>(m, q),
+                    _ => posture.placed::<S>(i),
+                };
+                carry::<S, _>(m, X.spread(), F);
                 X.transpose_pseudo(Ic_i)
             }
         };
+        put_rows::<S, H>(posture, slots, m, &members[m.parent as usize - 1], F, H);
         let p = m.parent as usize;
         Ic[p] = (Ic[p].map(S::load) + up).map(S::store);
     }
@@ -228,57 +225,51 @@ fn put_column<S: Scalar>(F: &mut [Vec<S::Stored>; ROWS], slot: usize, F_d: Force
     }
 }
 
-/// What a body's subtree hands to the body that carries it.
-struct Columns<'a, S: Scalar, H> {
-    posture: &'a Posture<S::Stored>,
-    slots: &'a [u32],
-    m: &'a Member<S::Constant>,
-    carrier: &'a Member<S::Constant>,
-    F: &'a mut [Vec<S::Stored>; ROWS],
-    H: &'a mut H,
+/// F = X_upᵀ F of every column of a subtree, block by block.
+#[inline(always)]
+fn carry<S: Scalar, R: Rotation<S::Columns>>(
+    m: &Member<S::Constant>,
+    X_up: Placed<S::Columns, R>,
+    [nx, ny, nz, fx, fy, fz, _]: &mut [Vec<S::Stored>; ROWS],
+) {
+    // Whole blocks: a slot of a body further in is not yet written, and comes to no harm.
+    let width = S::COLUMNS;
+    let (start, end) = (m.slots.start as usize, m.slots.end as usize);
+    let blocks = start - start % width..end.next_multiple_of(width);
+    let (nx, ny, nz) = (&mut nx[blocks.clone()], &mut ny[blocks.clone()], &mut nz[blocks.clone()]);
+    let (fx, fy, fz) = (&mut fx[blocks.clone()], &mut fy[blocks.clone()], &mut fz[blocks]);
+    let angular = nx.chunks_exact_mut(width).zip(ny.chunks_exact_mut(width)).zip(nz.chunks_exact_mut(width));
+    let linear = fx.chunks_exact_mut(width).zip(fy.chunks_exact_mut(width)).zip(fz.chunks_exact_mut(width));
+    for (((nx, ny), nz), ((fx, fy), fz)) in angular.zip(linear) {
+        let ang = Vec3::new(S::load_columns(nx), S::load_columns(ny), S::load_columns(nz));
+        let lin = Vec3::new(S::load_columns(fx), S::load_columns(fy), S::load_columns(fz));
+        let Force { ang, lin } = X_up.transpose_force(Force { ang, lin });
+        S::store_columns(ang.x, nx);
+        S::store_columns(ang.y, ny);
+        S::store_columns(ang.z, nz);
+        S::store_columns(lin.x, fx);
+        S::store_columns(lin.y, fy);
+        S::store_columns(lin.z, fz);
+    }
 }
 
-impl<S: Scalar, H: Entries<S::Stored>> Columns<'_, S, H> {
-    /// F = X_upᵀ F of every column, block by block, and its entries at the degrees of freedom of the body that carries this one.
-    #[inline(always)]
-    fn carry<R: Rotation<S::Columns>>(&mut self, X_up: Placed<S::Columns, R>) {
-        let Self { posture, slots, m, carrier, F, H } = self;
-        let (start, end) = (m.slots.start as usize, m.slots.end as usize);
-        // Whole blocks: a slot of a body further in is not yet written, and comes to no harm.
-        let width = S::COLUMNS;
-        let blocks = start - start % width..end.next_multiple_of(width);
-        let [nx, ny, nz, fx, fy, fz, _] = &mut **F;
-        let (nx, ny, nz) = (&mut nx[blocks.clone()], &mut ny[blocks.clone()], &mut nz[blocks.clone()]);
-        let (fx, fy, fz) = (&mut fx[blocks.clone()], &mut fy[blocks.clone()], &mut fz[blocks]);
-        let angular =
-            nx.chunks_exact_mut(width).zip(ny.chunks_exact_mut(width)).zip(nz.chunks_exact_mut(width));
-        let linear =
-            fx.chunks_exact_mut(width).zip(fy.chunks_exact_mut(width)).zip(fz.chunks_exact_mut(width));
-        for (((nx, ny), nz), ((fx, fy), fz)) in angular.zip(linear) {
-            let ang = Vec3::new(S::load_columns(nx), S::load_columns(ny), S::load_columns(nz));
-            let lin = Vec3::new(S::load_columns(fx), S::load_columns(fy), S::load_columns(fz));
-            let Force { ang, lin } = X_up.transpose_force(Force { ang, lin });
-            S::store_columns(ang.x, nx);
-            S::store_columns(ang.y, ny);
-            S::store_columns(ang.z, nz);
-            S::store_columns(lin.x, fx);
-            S::store_columns(lin.y, fy);
-            S::store_columns(lin.z, fz);
-        }
-        let (dofs, e) = (&slots[start..end], carrier.v0 as usize);
-        match carrier.motion {
-            MotionKind::Hinge => H.put_all(dofs, e, &F[2][start..end]),
-            MotionKind::Slide => H.put_all(dofs, e, &F[5][start..end]),
-            MotionKind::Other => {
-                for (e, &column) in (e..).zip(carrier.joint.columns()) {
-                    let place = column.place().unwrap_or_else(|| {
-                        product::<S>(F, start..end, posture.S[e].map(S::load));
-                        ROWS - 1
-                    });
-                    H.put_all(dofs, e, &F[place][start..end]);
-                }
-            }
-        }
+/// The entries of a subtree's columns at the degrees of freedom of the body that carries it.
+#[inline(always)]
+fn put_rows<S: Scalar, H: Entries<S::Stored>>(
+    posture: &Posture<S::Stored>,
+    slots: &[u32],
+    m: &Member<S::Constant>,
+    carrier: &Member<S::Constant>,
+    F: &mut [Vec<S::Stored>; ROWS],
+    H: &mut H,
+) {
+    let range = m.slots.start as usize..m.slots.end as usize;
+    for (e, &column) in (carrier.v0 as usize..).zip(carrier.joint.columns()) {
+        let place = column.place().unwrap_or_else(|| {
+            product::<S>(F, range.clone(), posture.S[e].map(S::load));
+            ROWS - 1
+        });
+        H.put_all(&slots[range.clone()], e, &F[place][range.clone()]);
     }
 }
 

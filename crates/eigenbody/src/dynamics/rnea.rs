@@ -112,7 +112,7 @@ pub(super) fn check_out(what: &'static str, found: usize, expected: usize) -> Re
 }
 
 /// The algorithm with its arguments, which have been checked.
-pub(super) struct Rnea<'a, T, U> {
+pub(crate) struct Rnea<'a, T, U> {
     pub model: &'a Model<T>,
     pub q: &'a [U],
     pub v: &'a [U],

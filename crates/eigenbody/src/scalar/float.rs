@@ -1,7 +1,7 @@
 //! f32 and f64 as scalars.
 
 use super::fused::Fused;
-use super::{Algorithm, Dd, Real, Scalar, Trig, only_itself};
+use super::{Algorithm, Dd, Real, Scalar, Trig, Wide, only_itself};
 
 macro_rules! float {
     ($T:ident, $trig:expr) => {
@@ -50,6 +50,19 @@ macro_rules! float {
             #[inline(always)]
             fn any_above(self, bound: Self) -> bool {
                 self > bound
+            }
+        }
+
+        /// One lane.
+        impl Wide for $T {
+            const WIDTH: usize = 1;
+            #[inline(always)]
+            fn from_slice(x: &[Self]) -> Self {
+                x[0]
+            }
+            #[inline(always)]
+            fn to_slice(self, out: &mut [Self]) {
+                out[0] = self;
             }
         }
 

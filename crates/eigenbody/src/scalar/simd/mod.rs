@@ -43,7 +43,7 @@ pub trait Algorithm<T: Real> {
 /// A unit of the processor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unit {
-    /// What every processor of the target has: on x86-64 two f64 a register.
+    /// What every processor of the target has: one number at a time.
     Plain,
     /// AVX2 with fused multiply-add: four f64.
     Avx2,
@@ -117,7 +117,7 @@ pub trait Batched: Real {
 }
 
 macro_rules! batched {
-    ($T:ident, $plain:literal, $avx2:ident, $avx512:ident) => {
+    ($T:ident, $avx2:ident, $avx512:ident) => {
         impl Batched for $T {
             #[inline]
             fn dispatch_wide<A: WideAlgorithm<Self>>(unit: Unit, algorithm: A) -> A::Output {
@@ -128,15 +128,15 @@ macro_rules! batched {
                     // SAFETY: as above.
                     #[cfg(target_arch = "x86_64")]
                     Unit::Avx2 => unsafe { x86::wide_avx2::<x86::$avx2, _, _>(algorithm) },
-                    _ => algorithm.run::<Array<$plain, $T>>(),
+                    _ => algorithm.run::<$T>(),
                 }
             }
         }
     };
 }
 
-batched!(f64, 2, F64x4, F64x8);
-batched!(f32, 4, F32x8, F32x16);
+batched!(f64, F64x4, F64x8);
+batched!(f32, F32x8, F32x16);
 
 #[cfg(test)]
 mod tests {
