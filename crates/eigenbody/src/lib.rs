@@ -22,6 +22,7 @@
 // H, S, U, D, I and X are the book's symbols.
 #![allow(non_snake_case)]
 
+pub mod batch;
 pub mod conditioning;
 pub mod dynamics;
 pub mod error;

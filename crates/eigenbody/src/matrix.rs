@@ -60,6 +60,11 @@ impl<T: Scalar> Matrix<T> {
         &self.data
     }
 
+    /// All entries, to be written.
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [T] {
+        &mut self.data
+    }
+
     /// Sets every entry.
     pub fn fill(&mut self, value: T) {
         self.data.fill(value);

@@ -30,10 +30,10 @@ pub struct AbaWorkspace<T> {
     p: Vec<Force<T>>,
     a: Vec<Motion<T>>,
     /// nv: C, then u. Written by the bias pass and the backward sweep.
-    pub(super) u: Vec<T>,
+    u: Vec<T>,
     /// nv: U = IA S and the hinge inertia D. Written by the backward sweep.
     U: Vec<Force<T>>,
-    pub(super) D: Vec<T>,
+    D: Vec<T>,
 }
 
 impl<T: Scalar> AbaWorkspace<T> {
@@ -49,6 +49,13 @@ impl<T: Scalar> AbaWorkspace<T> {
             U: vec![Force::ZERO; nv],
             D: vec![T::ZERO; nv],
         }
+    }
+}
+
+impl<T> AbaWorkspace<T> {
+    /// The hinge inertias of the last sweep.
+    pub(crate) fn pivots(&self) -> &[T] {
+        &self.D
     }
 }
 
@@ -106,7 +113,7 @@ pub fn forward_dynamics_into<T: Real>(
 }
 
 /// The algorithm with its arguments, which have been checked.
-pub(super) struct Aba<'a, T, U> {
+pub(crate) struct Aba<'a, T, U> {
     pub model: &'a Model<T>,
     pub q: &'a [U],
     pub v: &'a [U],
@@ -163,16 +170,15 @@ fn at_rest<S: Scalar>(
             MotionKind::Hinge => {
                 eliminate.unit::<2>(d);
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, S, C => {
+                with_twist!(m, C: S => {
                     let X = Placed { E: ThenZ { turn, first: C }, r };
                     (X.transpose_articulated(IA_i), X.transpose_force(p_i))
                 })
             }
             MotionKind::Slide => {
                 eliminate.unit::<5>(d);
-                let (X, q) = (slide::<S>(m), S::load(q[m.q0 as usize]));
-                let IA_i = IA_i.shifted_along_z(q);
-                (X.transpose_articulated(IA_i), X.transpose_force(p_i.shifted_along_z(q)))
+                let X = slide::<S>(m, q);
+                (X.transpose_articulated(IA_i), X.transpose_force(p_i))
             }
             MotionKind::Other => {
                 for (d, &column) in (d..d + m.joint.nv()).zip(m.joint.columns()).rev() {
@@ -192,9 +198,9 @@ fn at_rest<S: Scalar>(
         let mut a_i = match m.motion {
             MotionKind::Hinge => {
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
+                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
             }
-            MotionKind::Slide => slide::<S>(m).motion(a_p).shifted_along_z(S::load(q[m.q0 as usize])),
+            MotionKind::Slide => slide::<S>(m, q).motion(a_p),
             MotionKind::Other => posture.placed::<S>(i).motion(a_p),
         };
         match m.motion {

@@ -2,22 +2,25 @@
 //!
 //! ```text
 //! H = 0
-//! for i = N..1:   Ic_p += X_upᵀ Ic_i X_up                (Ic_i starts as I_i)
-//! for each d of body i:
-//!     F = Ic_i S_d
-//!     H_de = H_ed = F · S_e        for the DoFs e of body i up to d
-//!     for j = i, parent(i), ..:    F = X_up_jᵀ F;   H_de = H_ed = F · S_e   for the DoFs e of parent(j)
+//! for i = N..1:   for each d of body i:     F_d = Ic_i S_d;   H_de = H_ed = F_d · S_e   for the DoFs e of body i up to d
+//!                 for each d of its subtree:   F_d = X_upᵀ F_d;  H_de = H_ed = F_d · S_e   for the DoFs e of parent(i)
+//!                 Ic_p += X_upᵀ Ic_i X_up                                           (Ic_i starts as I_i)
 //! H_dd += armature_d
 //! ```
-//! Featherstone (2008), table 6.2. Cost O(N·depth). Inertias are carried as moments of mass.
+//! Featherstone (2008), table 6.2, with all columns of a subtree carried inwards together, several at a time where the processor has
+//! room for them side by side. Cost O(N·depth). Inertias are carried as moments of mass.
 
 use super::posture::{Posture, position, slide};
 use super::rnea::check_out;
 use crate::error::InputError;
 use crate::matrix::Matrix;
-use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
+use crate::model::{EMPTY, Mechanism, Member, Model, MotionKind, with_twist};
 use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
-use crate::spatial::{Force, Placed, PseudoInertia, ThenZ};
+use crate::spatial::{Force, Motion, Placed, PseudoInertia, Rotation, ThenZ, Vec3};
+use std::ops::Range;
+
+/// Rows of F.
+const ROWS: usize = 7;
 
 /// Room for [`mass_matrix_into`].
 #[derive(Debug, Clone)]
@@ -25,6 +28,9 @@ pub struct CrbaWorkspace<T> {
     posture: Posture<T>,
     /// N + 1, the world first: inertia of each body with all that it carries, frozen. Accumulated backwards.
     Ic: Vec<PseudoInertia<T>>,
+    /// Seven rows, one number a slot: F of every degree of freedom, in the frame of the body that it has been carried to, and its product
+    /// with a column of S.
+    F: [Vec<T>; ROWS],
 }
 
 impl<T: Scalar> CrbaWorkspace<T> {
@@ -33,6 +39,7 @@ impl<T: Scalar> CrbaWorkspace<T> {
         Self {
             posture: Posture::new(&model.mechanism),
             Ic: vec![PseudoInertia::ZERO; model.bodies.len() + 1],
+            F: [0; ROWS].map(|_| vec![T::ZERO; model.mechanism.slots.len()]),
         }
     }
 }
@@ -102,9 +109,11 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
 }
 
 /// Where the entries of H go, each once, those below the diagonal only.
-pub(super) trait Entries<T> {
+pub(crate) trait Entries<T> {
     /// H_de.
     fn put(&mut self, d: usize, e: usize, H_de: T);
+    /// H_de for several d; none for slots that are [`EMPTY`].
+    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[T]);
 }
 
 impl<T: Real> Entries<T> for Matrix<T> {
@@ -113,110 +122,163 @@ impl<T: Real> Entries<T> for Matrix<T> {
         self[(d, e)] = H_de;
         self[(e, d)] = H_de;
     }
+    #[inline(always)]
+    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[T]) {
+        let (n, data) = (self.cols(), self.as_mut_slice());
+        for (&d, &H_de) in dofs.iter().zip(H_e) {
+            if d != EMPTY {
+                let d = d as usize;
+                data[e * n + d] = H_de;
+                data[d * n + e] = H_de;
+            }
+        }
+    }
 }
 
-/// Position pass and both loops. Entries between branches are not put.
+/// Position pass and the loop over bodies. Entries between branches are not put.
 #[inline(always)]
-pub(super) fn crba<S: Scalar, H: Entries<S::Stored>>(
+pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
     model: &Model<S::Constant>,
     q: &[S::Stored],
-    CrbaWorkspace { posture, Ic }: &mut CrbaWorkspace<S::Stored>,
+    CrbaWorkspace { posture, Ic, F }: &mut CrbaWorkspace<S::Stored>,
     H: &mut H,
 ) {
-    let Mechanism { members, .. } = &model.mechanism;
+    let Mechanism { members, slots, .. } = &model.mechanism;
     posture.update::<S>(&model.mechanism, q);
     for (Ic, m) in Ic[1..].iter_mut().zip(members) {
         *Ic = m.I.map(S::Stored::constant);
     }
     for (i, m) in members.iter().enumerate().rev() {
         let Ic_i = Ic[i + 1].map(S::load);
-        if m.parent > 0 {
-            let up = match m.motion {
-                MotionKind::Hinge => {
-                    let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                    with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.transpose_pseudo(Ic_i))
-                }
-                MotionKind::Slide => {
-                    slide::<S>(m).transpose_pseudo(Ic_i.shifted_along_z(S::load(q[m.q0 as usize])))
-                }
-                MotionKind::Other => posture.placed::<S>(i).transpose_pseudo(Ic_i),
-            };
-            let p = m.parent as usize;
-            Ic[p] = (Ic[p].map(S::load) + up).map(S::store);
-        }
-        let d = m.v0 as usize;
-        let armature = S::constant(model.armature[d]);
-        match m.motion {
-            MotionKind::Hinge => {
-                let F = Ic_i.times_ang_z();
-                H.put(d, d, (F.ang.z + armature).store());
-                ascend::<S, _>(members, posture, q, i, d, F, H);
-            }
-            MotionKind::Slide => {
-                let F = Ic_i.times_lin_z();
-                H.put(d, d, (F.lin.z + armature).store());
-                ascend::<S, _>(members, posture, q, i, d, F, H);
-            }
-            MotionKind::Other => {
-                for d in d..d + m.joint.nv() {
-                    let S_d = posture.S[d].map(S::load);
-                    let F = Ic_i.rigid().times(S_d);
-                    put_row::<S, _>(posture, m, d, F, H);
-                    H.put(d, d, (S_d.dot(F) + S::constant(model.armature[d])).store());
-                    ascend::<S, _>(members, posture, q, i, d, F, H);
-                }
-            }
-        }
-    }
-}
-
-/// F = X_upᵀ F from body i to the root, with the entries of row d on the way.
-#[inline(always)]
-fn ascend<S: Scalar, H: Entries<S::Stored>>(
-    members: &[Member<S::Constant>],
-    posture: &Posture<S::Stored>,
-    q: &[S::Stored],
-    mut i: usize,
-    d: usize,
-    mut F: Force<S>,
-    H: &mut H,
-) {
-    loop {
-        let m = &members[i];
+        own_block::<S, H>(model, posture, m, Ic_i, F, H);
         if m.parent == 0 {
-            return;
+            continue;
         }
-        F = match m.motion {
+        let up = match m.motion {
             MotionKind::Hinge => {
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(F))
+                let turns = (turn.0.spread(), turn.1.spread());
+                with_twist!(m, C: S, Cs: S::Columns => {
+                    carry::<S, _>(m, Placed { E: ThenZ { turn: turns, first: Cs }, r: r.map(S::spread) }, F);
+                    Placed { E: ThenZ { turn, first: C }, r }.transpose_pseudo(Ic_i)
+                })
             }
-            MotionKind::Slide => slide::<S>(m).transpose_force(F.shifted_along_z(S::load(q[m.q0 as usize]))),
-            MotionKind::Other => posture.placed::<S>(i).transpose_force(F),
+            MotionKind::Slide | MotionKind::Other => {
+                let X = match m.motion {
+                    MotionKind::Slide => slide::<S>(m, q),
+                    _ => posture.placed::<S>(i),
+                };
+                carry::<S, _>(m, X.spread(), F);
+                X.transpose_pseudo(Ic_i)
+            }
         };
-        i = m.parent as usize - 1;
-        let p = &members[i];
-        match p.motion {
-            MotionKind::Hinge => H.put(d, p.v0 as usize, F.ang.z.store()),
-            MotionKind::Slide => H.put(d, p.v0 as usize, F.lin.z.store()),
-            MotionKind::Other => put_row::<S, _>(posture, p, d, F, H),
+        put_rows::<S, H>(posture, slots, m, &members[m.parent as usize - 1], F, H);
+        let p = m.parent as usize;
+        Ic[p] = (Ic[p].map(S::load) + up).map(S::store);
+    }
+}
+
+/// The entries among a body's own degrees of freedom; each F = Ic S_d into its slot.
+#[inline(always)]
+fn own_block<S: Scalar, H: Entries<S::Stored>>(
+    model: &Model<S::Constant>,
+    posture: &Posture<S::Stored>,
+    m: &Member<S::Constant>,
+    Ic: PseudoInertia<S>,
+    F: &mut [Vec<S::Stored>; ROWS],
+    H: &mut H,
+) {
+    let d = m.v0 as usize;
+    let armature = |d: usize| S::constant(model.armature[d]);
+    match m.motion {
+        MotionKind::Hinge => {
+            let F_d = Ic.times_ang_z();
+            H.put(d, d, (F_d.ang.z + armature(d)).store());
+            put_column::<S>(F, m.slots.start as usize, F_d);
+        }
+        MotionKind::Slide => {
+            let F_d = Ic.times_lin_z();
+            H.put(d, d, (F_d.lin.z + armature(d)).store());
+            put_column::<S>(F, m.slots.start as usize, F_d);
+        }
+        MotionKind::Other => {
+            let Ic = Ic.rigid();
+            for (k, &column) in m.joint.columns().iter().enumerate() {
+                let d = d + k;
+                let S_d = posture.S[d].map(S::load);
+                let F_d = Ic.times(S_d);
+                for (e, &before) in (m.v0 as usize..d).zip(m.joint.columns()) {
+                    H.put(d, e, before.along(posture.S[e].map(S::load), F_d).store());
+                }
+                H.put(d, d, (column.along(S_d, F_d) + armature(d)).store());
+                put_column::<S>(F, m.slots.start as usize + k, F_d);
+            }
         }
     }
 }
 
-/// The entries of row d at the DoFs of body m up to d.
+/// A force into its slot.
 #[inline(always)]
-fn put_row<S: Scalar, H: Entries<S::Stored>>(
-    posture: &Posture<S::Stored>,
+fn put_column<S: Scalar>(F: &mut [Vec<S::Stored>; ROWS], slot: usize, F_d: Force<S>) {
+    for (row, x) in F.iter_mut().zip(F_d.map(S::store).to_array()) {
+        row[slot] = x;
+    }
+}
+
+/// F = X_upᵀ F of every column of a subtree, block by block.
+#[inline(always)]
+fn carry<S: Scalar, R: Rotation<S::Columns>>(
     m: &Member<S::Constant>,
-    d: usize,
-    F: Force<S>,
+    X_up: Placed<S::Columns, R>,
+    [nx, ny, nz, fx, fy, fz, _]: &mut [Vec<S::Stored>; ROWS],
+) {
+    // Whole blocks: a slot of a body further in is not yet written, and comes to no harm.
+    let width = S::COLUMNS;
+    let (start, end) = (m.slots.start as usize, m.slots.end as usize);
+    let blocks = start - start % width..end.next_multiple_of(width);
+    let (nx, ny, nz) = (&mut nx[blocks.clone()], &mut ny[blocks.clone()], &mut nz[blocks.clone()]);
+    let (fx, fy, fz) = (&mut fx[blocks.clone()], &mut fy[blocks.clone()], &mut fz[blocks]);
+    let angular = nx.chunks_exact_mut(width).zip(ny.chunks_exact_mut(width)).zip(nz.chunks_exact_mut(width));
+    let linear = fx.chunks_exact_mut(width).zip(fy.chunks_exact_mut(width)).zip(fz.chunks_exact_mut(width));
+    for (((nx, ny), nz), ((fx, fy), fz)) in angular.zip(linear) {
+        let ang = Vec3::new(S::load_columns(nx), S::load_columns(ny), S::load_columns(nz));
+        let lin = Vec3::new(S::load_columns(fx), S::load_columns(fy), S::load_columns(fz));
+        let Force { ang, lin } = X_up.transpose_force(Force { ang, lin });
+        S::store_columns(ang.x, nx);
+        S::store_columns(ang.y, ny);
+        S::store_columns(ang.z, nz);
+        S::store_columns(lin.x, fx);
+        S::store_columns(lin.y, fy);
+        S::store_columns(lin.z, fz);
+    }
+}
+
+/// The entries of a subtree's columns at the degrees of freedom of the body that carries it.
+#[inline(always)]
+fn put_rows<S: Scalar, H: Entries<S::Stored>>(
+    posture: &Posture<S::Stored>,
+    slots: &[u32],
+    m: &Member<S::Constant>,
+    carrier: &Member<S::Constant>,
+    F: &mut [Vec<S::Stored>; ROWS],
     H: &mut H,
 ) {
-    for (e, &column) in (m.v0 as usize..).zip(m.joint.columns()) {
-        if e == d {
-            break;
-        }
-        H.put(d, e, column.along(posture.S[e].map(S::load), F).store());
+    let range = m.slots.start as usize..m.slots.end as usize;
+    for (e, &column) in (carrier.v0 as usize..).zip(carrier.joint.columns()) {
+        let place = column.place().unwrap_or_else(|| {
+            product::<S>(F, range.clone(), posture.S[e].map(S::load));
+            ROWS - 1
+        });
+        H.put_all(&slots[range.clone()], e, &F[place][range.clone()]);
+    }
+}
+
+/// Sᵀ F of some slots into the last row.
+#[inline(always)]
+fn product<S: Scalar>(F: &mut [Vec<S::Stored>; ROWS], range: Range<usize>, S_e: Motion<S>) {
+    for slot in range {
+        let row = |k: usize| S::load(F[k][slot]);
+        let (ang, lin) = (Vec3::new(row(0), row(1), row(2)), Vec3::new(row(3), row(4), row(5)));
+        F[ROWS - 1][slot] = S_e.dot(Force { ang, lin }).store();
     }
 }

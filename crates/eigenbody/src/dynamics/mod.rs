@@ -20,10 +20,12 @@ mod reduction;
 mod reroot;
 mod rnea;
 
+pub(crate) use aba::Aba;
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
 pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
 pub use closure::{Anchor, Closure, Tie, closure_jacobian, closure_residual};
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
+pub(crate) use crba::{Entries, crba};
 pub use denoc::{Denoc, Udu};
 pub use energy::{Energy, EnergyShares, energy, energy_into, energy_shares};
 pub(crate) use floating::BASE;
@@ -34,4 +36,5 @@ pub use kinematics::{Kinematics, axes, link_pose};
 pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
 pub use reduction::Reduction;
 pub(crate) use reroot::{Rerooted, TreeBody};
+pub(crate) use rnea::Rnea;
 pub use rnea::{RneaWorkspace, inverse_dynamics, inverse_dynamics_into};

@@ -83,10 +83,11 @@ impl<T: Scalar> Posture<T> {
     }
 }
 
-/// The constant part of a slide's transform.
+/// From the parent to a body on a slide, which stands q along z.
 #[inline(always)]
-pub(super) fn slide<S: Scalar>(m: &Member<S::Constant>) -> Placed<S, Mat3<S>> {
-    Placed { E: m.C.map(S::constant), r: position::<S>(m) }
+pub(super) fn slide<S: Scalar>(m: &Member<S::Constant>, q: &[S::Stored]) -> Placed<S, Mat3<S>> {
+    let E = m.C.map(S::constant);
+    Placed { E, r: E.z.mul_add(S::load(q[m.q0 as usize]), position::<S>(m)) }
 }
 
 #[inline(always)]

@@ -112,7 +112,7 @@ pub(super) fn check_out(what: &'static str, found: usize, expected: usize) -> Re
 }
 
 /// The algorithm with its arguments, which have been checked.
-pub(super) struct Rnea<'a, T, U> {
+pub(crate) struct Rnea<'a, T, U> {
     pub model: &'a Model<T>,
     pub q: &'a [U],
     pub v: &'a [U],
@@ -159,12 +159,9 @@ pub(super) fn rnea<S: Scalar>(
         let force = match m.motion {
             MotionKind::Hinge => {
                 let (turn, rate) = (posture.turn::<S>(i), (S::load(qd[d]), S::load(qdd[d])));
-                with_twist!(m, S, C => hinge::<S, _>(ThenZ { turn, first: C }, m, rate, up, out))
+                with_twist!(m, C: S => hinge::<S, _>(ThenZ { turn, first: C }, m, rate, up, out))
             }
-            MotionKind::Slide => {
-                let rate = (S::load(q[m.q0 as usize]), S::load(qd[d]), S::load(qdd[d]));
-                sliding::<S>(m, rate, up, out)
-            }
+            MotionKind::Slide => sliding::<S>(slide(m, q), m, (S::load(qd[d]), S::load(qdd[d])), up, out),
             MotionKind::Other => other::<S>(posture, i, m, qd, qdd, up, out),
         };
         f[i + 1] = force.map(S::store);
@@ -176,11 +173,11 @@ pub(super) fn rnea<S: Scalar>(
             MotionKind::Hinge => {
                 tau[d] = (f_i.ang.z + armature(d)).store();
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, S, C => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(f_i))
+                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(f_i))
             }
             MotionKind::Slide => {
                 tau[d] = (f_i.lin.z + armature(d)).store();
-                slide::<S>(m).transpose_force(f_i.shifted_along_z(S::load(q[m.q0 as usize])))
+                slide::<S>(m, q).transpose_force(f_i)
             }
             MotionKind::Other => {
                 for (d, &column) in (d..).zip(m.joint.columns()) {
@@ -210,22 +207,18 @@ fn hinge<S: Scalar, R: Rotation<S>>(
     finish(m, omega, alpha, a, out)
 }
 
-/// A prismatic joint: the origin stands q along z, in a frame that does not turn.
+/// A prismatic joint: v_J = z q̇.
 #[inline(always)]
 fn sliding<S: Scalar>(
+    X_up: Placed<S, Mat3<S>>,
     m: &Member<S::Constant>,
-    (q, qd, qdd): (S, S, S),
+    (qd, qdd): (S, S),
     up: &Moving<S::Stored>,
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
-    let (omega, alpha, a) = carried(slide::<S>(m), up);
-    let Psi = Psi(omega, alpha);
+    let (omega, alpha, a) = carried(X_up, up);
     let twice = qd + qd;
-    let a = Vec3::new(
-        Psi.x.z.mul_add(q, omega.y.mul_add(twice, a.x)),
-        Psi.y.z.mul_add(q, a.y - omega.x * twice),
-        Psi.z.z.mul_add(q, a.z + qdd),
-    );
+    let a = Vec3::new(omega.y.mul_add(twice, a.x), a.y - omega.x * twice, a.z + qdd);
     finish(m, omega, alpha, a, out)
 }
 

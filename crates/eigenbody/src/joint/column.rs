@@ -16,6 +16,15 @@ pub(crate) enum Column {
 }
 
 impl Column {
+    /// Which unit vector it is.
+    #[inline(always)]
+    pub fn place(self) -> Option<usize> {
+        match self {
+            Self::General => None,
+            unit => Some(unit as usize),
+        }
+    }
+
     /// Sᵀ f.
     #[inline(always)]
     pub fn along<T: Scalar>(self, S: Motion<T>, f: Force<T>) -> T {

@@ -12,6 +12,7 @@ use super::body::{Body, JointInfo, WORLD};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, PseudoInertia, Transform, Vec3};
+use std::ops::Range;
 
 /// A turn this many ε from a round one is a round one.
 const ROUND: f64 = 4.0;
@@ -23,13 +24,23 @@ pub(crate) struct Mechanism<T> {
     /// Sine and cosine of γ, and of a prismatic joint's turn as a whole.
     pub sin_offset: Vec<T>,
     pub cos_offset: Vec<T>,
+    /// The degree of freedom in each slot, or [`EMPTY`]. Subtrees have contiguous slots, and no block of [`SLOTS`] holds two
+    /// neighbouring ones: a block can be moved as one with any subtree of which it has a part.
+    pub slots: Vec<u32>,
     /// The joints whose coordinates hold a quaternion, and where it begins in q.
     pub quaternions: Vec<(u32, u32)>,
 }
 
+/// Slots of a block.
+const SLOTS: usize = 4;
+/// A slot without a degree of freedom.
+pub(crate) const EMPTY: u32 = u32::MAX;
+
 /// A body.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Member<T> {
+    /// Slots of its subtree, its own first.
+    pub slots: Range<u32>,
     /// One more than the body that carries it, 0 for the world.
     pub parent: u32,
     pub q0: u32,
@@ -64,30 +75,30 @@ pub(crate) enum Twist {
     Any,
 }
 
-/// Runs `$step` with `$C` the constant rotation of `$member`, its type as narrow as is known.
+/// Runs `$step` with `$C` the constant rotation of `$member`, its type as narrow as is known; over two scalars, if asked.
 macro_rules! with_twist {
-    ($member:expr, $S:ty, $C:ident => $step:expr) => {{
+    ($member:expr, $($C:ident: $S:ty),+ => $step:expr) => {{
         use $crate::model::Twist;
         use $crate::spatial::{AboutX, Quarter, Straight};
         match $member.twist {
             Twist::Straight => {
-                let $C = Straight;
+                $(let $C = Straight;)+
                 $step
             }
             Twist::Quarter => {
-                let $C = Quarter::<true>;
+                $(let $C = Quarter::<true>;)+
                 $step
             }
             Twist::ThreeQuarters => {
-                let $C = Quarter::<false>;
+                $(let $C = Quarter::<false>;)+
                 $step
             }
             Twist::AboutX => {
-                let $C = AboutX(<$S>::constant($member.C.y.z), <$S>::constant($member.C.y.y));
+                $(let $C = AboutX(<$S>::constant($member.C.y.z), <$S>::constant($member.C.y.y));)+
                 $step
             }
             Twist::Any => {
-                let $C = $member.C.map(<$S>::constant);
+                $(let $C = $member.C.map(<$S>::constant);)+
                 $step
             }
         }
@@ -110,6 +121,7 @@ impl<T: Real> Mechanism<T> {
             joint.kind.quaternion().map(|at| (index, joint.q0 + at as u32))
         };
         let mut mechanism = Self {
+            slots: Vec::new(),
             quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
             members: Vec::with_capacity(bodies.len()),
             sin_offset: Vec::with_capacity(bodies.len()),
@@ -134,7 +146,14 @@ impl<T: Real> Mechanism<T> {
                 MotionKind::Other => (Turn::NONE, Twist::Any, E),
             };
             let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
+            let slots = &mut mechanism.slots;
+            if body.parent().is_some_and(|p| p + 1 != i) {
+                slots.resize(slots.len().next_multiple_of(SLOTS), EMPTY);
+            }
+            let first = slots.len() as u32;
+            slots.extend(body.dofs().map(|d| d as u32));
             mechanism.members.push(Member {
+                slots: first..slots.len() as u32,
                 parent: if body.parent == WORLD { 0 } else { body.parent + 1 },
                 q0: body.q0,
                 v0: body.v0,
@@ -148,6 +167,13 @@ impl<T: Real> Mechanism<T> {
             mechanism.sin_offset.push(offset.s);
             mechanism.cos_offset.push(offset.c);
         }
+        for i in (0..bodies.len()).rev() {
+            if let Some(p) = bodies[i].parent() {
+                let end = mechanism.members[i].slots.end.max(mechanism.members[p].slots.end);
+                mechanism.members[p].slots.end = end;
+            }
+        }
+        mechanism.slots.resize(mechanism.slots.len().next_multiple_of(SLOTS), EMPTY);
         mechanism
     }
 }

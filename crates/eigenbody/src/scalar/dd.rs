@@ -8,7 +8,7 @@
 //! building blocks of double-word arithmetic" (ACM TOMS 44, 2017): relative error at most 3u² for a sum, 5u² for a
 //! product and about 10u² for a quotient, u = 2⁻⁵³. The range is that of f64; products beyond 2⁹⁹⁶ lose their low part.
 
-use super::{Real, Scalar, Trig};
+use super::{Real, Scalar, Trig, only_itself};
 use std::cmp::Ordering;
 use std::fmt;
 use std::num::ParseFloatError;
@@ -243,15 +243,7 @@ impl Scalar for Dd {
     fn constant(c: Self) -> Self {
         c
     }
-    type Stored = Self;
-    #[inline(always)]
-    fn load(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn store(self) -> Self {
-        self
-    }
+    only_itself!();
     const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     #[inline(always)]
@@ -297,7 +289,6 @@ impl Scalar for Dd {
 }
 
 impl Real for Dd {
-    type Fused = Self;
     const TRIG: Option<Trig<Self>> = None;
     /// 2⁻¹⁰⁴: what a chain of accurate double-double operations can be trusted to.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;

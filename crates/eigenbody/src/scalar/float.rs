@@ -1,6 +1,7 @@
 //! f32 and f64 as scalars.
 
-use super::{Dd, Fused, Real, Scalar, Trig};
+use super::fused::Fused;
+use super::{Algorithm, Dd, Real, Scalar, Trig, Wide, only_itself};
 
 macro_rules! float {
     ($T:ident, $trig:expr) => {
@@ -10,15 +11,7 @@ macro_rules! float {
             fn constant(c: Self) -> Self {
                 c
             }
-            type Stored = Self;
-            #[inline(always)]
-            fn load(x: Self) -> Self {
-                x
-            }
-            #[inline(always)]
-            fn store(self) -> Self {
-                self
-            }
+            only_itself!();
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             #[inline(always)]
@@ -60,8 +53,24 @@ macro_rules! float {
             }
         }
 
+        /// One lane.
+        impl Wide for $T {
+            const WIDTH: usize = 1;
+            #[inline(always)]
+            fn from_slice(x: &[Self]) -> Self {
+                x[0]
+            }
+            #[inline(always)]
+            fn to_slice(self, out: &mut [Self]) {
+                out[0] = self;
+            }
+        }
+
         impl Real for $T {
-            type Fused = Fused<$T>;
+            #[inline]
+            fn dispatch_one<A: Algorithm<Self>>(algorithm: A) -> A::Output {
+                super::simd::dispatch_fused::<Fused<$T>, _, _>(algorithm)
+            }
             const TRIG: Option<Trig<Self>> = Some($trig);
             const EPSILON: f64 = $T::EPSILON as f64;
             #[inline(always)]

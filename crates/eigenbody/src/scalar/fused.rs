@@ -1,15 +1,18 @@
 //! f32 and f64 on a processor with fused multiply-add.
 //!
 //! Whether a product and a sum are one instruction is a matter of the type: [`Fused`] always fuses, its number never does on a
-//! target without the instruction, where fusing would be a library call. [`dispatch_one`](super::dispatch_one) chooses.
+//! target without the instruction, where fusing would be a library call. It exists, like the wide types and for its columns' sake,
+//! inside the entry functions of `simd` only.
 
-use super::{Real, Scalar};
+#[cfg(target_arch = "x86_64")]
+use super::simd::x86::{F32x4, F64x4};
+use super::{Real, Scalar, Wide};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number whose [`mul_add`](Scalar::mul_add) rounds once. In memory it is the plain number.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 #[repr(transparent)]
-pub struct Fused<T>(T);
+pub(super) struct Fused<T>(T);
 
 macro_rules! operator {
     ($Trait:ident, $name:ident, $AssignTrait:ident, $assign:ident) => {
@@ -53,7 +56,7 @@ impl<T: Real> Neg for Fused<T> {
 }
 
 macro_rules! fused {
-    ($T:ident) => {
+    ($T:ident, $Columns:ty) => {
         impl Scalar for Fused<$T> {
             type Constant = $T;
             #[inline(always)]
@@ -68,6 +71,20 @@ macro_rules! fused {
             #[inline(always)]
             fn store(self) -> $T {
                 self.0
+            }
+            type Columns = $Columns;
+            const COLUMNS: usize = 4;
+            #[inline(always)]
+            fn load_columns(x: &[$T]) -> $Columns {
+                <$Columns>::from_slice(x)
+            }
+            #[inline(always)]
+            fn store_columns(x: $Columns, out: &mut [$T]) {
+                x.to_slice(out);
+            }
+            #[inline(always)]
+            fn spread(self) -> $Columns {
+                <$Columns>::constant(self.0)
             }
             const ZERO: Self = Self(0.0);
             const ONE: Self = Self(1.0);
@@ -112,5 +129,11 @@ macro_rules! fused {
     };
 }
 
-fused!(f32);
-fused!(f64);
+#[cfg(target_arch = "x86_64")]
+fused!(f32, F32x4);
+#[cfg(target_arch = "x86_64")]
+fused!(f64, F64x4);
+#[cfg(not(target_arch = "x86_64"))]
+fused!(f32, super::Array<4, f32>);
+#[cfg(not(target_arch = "x86_64"))]
+fused!(f64, super::Array<4, f64>);

@@ -1,6 +1,6 @@
 //! Numbers side by side: one kernel call, several shifts or several configurations.
 
-use super::{Real, Scalar};
+use super::{Real, Scalar, only_itself};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// Number of lanes of every [`Lane`] type.
@@ -139,15 +139,7 @@ impl<const N: usize, T: Real> Scalar for Array<N, T> {
     fn constant(c: T) -> Self {
         Self([c; N])
     }
-    type Stored = Self;
-    #[inline(always)]
-    fn load(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn store(self) -> Self {
-        self
-    }
+    only_itself!();
     const ZERO: Self = Self([T::ZERO; N]);
     const ONE: Self = Self([T::ONE; N]);
     #[inline(always)]

@@ -14,11 +14,40 @@ mod simd;
 mod trig;
 
 pub use dd::Dd;
-pub use fused::Fused;
 pub use lanes::{Array, LANES, Lane, Wide};
 pub use simd::{Algorithm, Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one};
 pub use trig::Trig;
 pub(crate) use trig::sin_cos_all;
+
+/// What a scalar says of columns and memory that is only itself.
+macro_rules! only_itself {
+    () => {
+        type Stored = Self;
+        #[inline(always)]
+        fn load(x: Self) -> Self {
+            x
+        }
+        #[inline(always)]
+        fn store(self) -> Self {
+            self
+        }
+        type Columns = Self;
+        const COLUMNS: usize = 1;
+        #[inline(always)]
+        fn load_columns(x: &[Self]) -> Self {
+            x[0]
+        }
+        #[inline(always)]
+        fn store_columns(x: Self, out: &mut [Self]) {
+            out[0] = x;
+        }
+        #[inline(always)]
+        fn spread(self) -> Self {
+            self
+        }
+    };
+}
+pub(crate) use only_itself;
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -49,6 +78,16 @@ pub trait Scalar:
     fn load(x: Self::Stored) -> Self;
     /// Into memory.
     fn store(self) -> Self::Stored;
+    /// Several of these numbers side by side, for what is done alike to many vectors; where nothing is gained, one.
+    type Columns: Scalar<Constant = Self::Constant>;
+    /// How many.
+    const COLUMNS: usize;
+    /// The first [`COLUMNS`](Self::COLUMNS) numbers of a slice.
+    fn load_columns(x: &[Self::Stored]) -> Self::Columns;
+    /// Into the first [`COLUMNS`](Self::COLUMNS) places of a slice.
+    fn store_columns(x: Self::Columns, out: &mut [Self::Stored]);
+    /// The same number in every column.
+    fn spread(self) -> Self::Columns;
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -75,8 +114,11 @@ pub trait Scalar:
 
 /// One real number that can be compared and measured.
 pub trait Real: Scalar<Constant = Self, Stored = Self> + PartialOrd {
-    /// The same numbers, computed with on a processor that has fused multiply-add.
-    type Fused: Scalar<Constant = Self, Stored = Self>;
+    /// Runs an algorithm on these numbers: fused, and with wide columns, where this processor can.
+    #[inline]
+    fn dispatch_one<A: Algorithm<Self>>(algorithm: A) -> A::Output {
+        algorithm.run::<Self>()
+    }
     /// Polynomials for sine and cosine; none if only [`Scalar::sin_cos`] will do.
     const TRIG: Option<Trig<Self>>;
     /// Unit round-off times two: the distance from 1 to the next number.

@@ -134,7 +134,8 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{Array, Dd, Fused};
+    use crate::scalar::fused::Fused;
+    use crate::scalar::{Array, Dd};
 
     /// Errors in units of the last place of the result, over angles up to the limit, against double-double.
     fn worst<S: Scalar>(

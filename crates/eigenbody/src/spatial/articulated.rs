@@ -63,12 +63,6 @@ impl<T: Scalar> ArticulatedInertia<T> {
         Self { I: I.plus_shift(r, H0, H), H, M }
     }
 
-    /// About a point at −q z, in parallel axes.
-    #[inline(always)]
-    pub(crate) fn shifted_along_z(self, q: T) -> Self {
-        self.shifted(Vec3::new(T::ZERO, T::ZERO, q))
-    }
-
     /// The entries in another scalar.
     #[inline(always)]
     pub(crate) fn map<U>(self, f: impl Fn(T) -> U + Copy) -> ArticulatedInertia<U> {

@@ -32,6 +32,7 @@ macro_rules! spatial_vector {
             }
 
             /// The six numbers, angular first.
+            #[inline(always)]
             pub fn to_array(self) -> [T; 6] {
                 let ([a, b, c], [d, e, f]) = (self.ang.to_array(), self.lin.to_array());
                 [a, b, c, d, e, f]
@@ -93,15 +94,6 @@ spatial_vector!(
 );
 
 impl<T: Scalar> Force<T> {
-    /// About a point at −q z, in parallel axes.
-    #[inline(always)]
-    pub(crate) fn shifted_along_z(self, q: T) -> Self {
-        let Self { ang, lin } = self;
-        Self { ang: Vec3::new(ang.x - q * lin.y, q.mul_add(lin.x, ang.y), ang.z), lin }
-    }
-}
-
-impl<T: Scalar> Force<T> {
     /// Number K of the six, angular first.
     #[inline(always)]
     pub(crate) fn component<const K: usize>(self) -> T {
@@ -117,13 +109,6 @@ impl<T: Scalar> Force<T> {
 }
 
 impl<T: Scalar> Motion<T> {
-    /// At a point at q z, in parallel axes.
-    #[inline(always)]
-    pub(crate) fn shifted_along_z(self, q: T) -> Self {
-        let Self { ang, lin } = self;
-        Self { ang, lin: Vec3::new(q.mul_add(ang.y, lin.x), lin.y - q * ang.x, lin.z) }
-    }
-
     /// v · f: the power of a force along a motion.
     #[inline(always)]
     pub fn dot(self, f: Force<T>) -> T {

@@ -39,15 +39,6 @@ impl<T: Scalar> PseudoInertia<T> {
         Self { m, h, P }
     }
 
-    /// About a point at −q z, in parallel axes.
-    #[inline(always)]
-    pub fn shifted_along_z(self, q: T) -> Self {
-        let Self { m, h, mut P } = self;
-        let z = q.mul_add(m, h.z);
-        (P.xz, P.yz, P.zz) = (q.mul_add(h.x, P.xz), q.mul_add(h.y, P.yz), q.mul_add(h.z + z, P.zz));
-        Self { m, h: Vec3 { z, ..h }, P }
-    }
-
     /// Momentum of a turn about z at unit rate.
     #[inline(always)]
     pub fn times_ang_z(self) -> Force<T> {

@@ -188,3 +188,11 @@ impl<T: Scalar, R: Rotation<T>> Placed<T, R> {
             .shifted(self.r)
     }
 }
+
+impl<S: Scalar> Placed<S, Mat3<S>> {
+    /// The same in every column.
+    #[inline(always)]
+    pub fn spread(self) -> Placed<S::Columns, Mat3<S::Columns>> {
+        Placed { E: self.E.map(S::spread), r: self.r.map(S::spread) }
+    }
+}

@@ -76,6 +76,7 @@ impl<T: Scalar> Vec3<T> {
     }
 
     /// [x, y, z].
+    #[inline(always)]
     pub fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }

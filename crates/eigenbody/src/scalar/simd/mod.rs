@@ -11,7 +11,7 @@
 //! instruction; AVX-512 would make them slower.
 
 #[cfg(target_arch = "x86_64")]
-mod x86;
+pub(super) mod x86;
 
 use super::lanes::{Array, LANES, Lane, Wide};
 use super::{Real, Scalar};
@@ -43,7 +43,7 @@ pub trait Algorithm<T: Real> {
 /// A unit of the processor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unit {
-    /// What every processor of the target has: on x86-64 two f64 a register.
+    /// What every processor of the target has: one number at a time.
     Plain,
     /// AVX2 with fused multiply-add: four f64.
     Avx2,
@@ -88,18 +88,25 @@ pub fn dispatch<A: LaneAlgorithm>(algorithm: A) -> A::Output {
     }
 }
 
-/// Runs an algorithm on single numbers, fused where this processor can.
+/// Runs an algorithm on single numbers: fused, and with wide columns, where this processor can.
 #[inline]
 pub fn dispatch_one<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
+    T::dispatch_one(algorithm)
+}
+
+/// Runs an algorithm on `F`, or on plain numbers where there is no fused multiply-add.
+#[inline]
+pub(super) fn dispatch_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
+    algorithm: A,
+) -> A::Output {
     #[cfg(target_arch = "x86_64")]
     if has_fma() {
         // SAFETY: the processor has the features that the entry function is compiled for.
-        return unsafe { x86::one_fused(algorithm) };
+        return unsafe { x86::one_fused::<F, _, _>(algorithm) };
     }
-    #[cfg(not(target_arch = "x86_64"))]
-    if cfg!(target_arch = "aarch64") {
-        return algorithm.run::<T::Fused>();
-    }
+    #[cfg(target_arch = "aarch64")]
+    return algorithm.run::<F>();
+    #[cfg(not(target_arch = "aarch64"))]
     algorithm.run::<T>()
 }
 
@@ -110,7 +117,7 @@ pub trait Batched: Real {
 }
 
 macro_rules! batched {
-    ($T:ident, $plain:literal, $avx2:ident, $avx512:ident) => {
+    ($T:ident, $avx2:ident, $avx512:ident) => {
         impl Batched for $T {
             #[inline]
             fn dispatch_wide<A: WideAlgorithm<Self>>(unit: Unit, algorithm: A) -> A::Output {
@@ -121,15 +128,15 @@ macro_rules! batched {
                     // SAFETY: as above.
                     #[cfg(target_arch = "x86_64")]
                     Unit::Avx2 => unsafe { x86::wide_avx2::<x86::$avx2, _, _>(algorithm) },
-                    _ => algorithm.run::<Array<$plain, $T>>(),
+                    _ => algorithm.run::<$T>(),
                 }
             }
         }
     };
 }
 
-batched!(f64, 2, F64x4, F64x8);
-batched!(f32, 4, F32x8, F32x16);
+batched!(f64, F64x4, F64x8);
+batched!(f32, F32x8, F32x16);
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! Registers of AVX2 and AVX-512, and the entry functions that are compiled for them.
 
 use super::super::lanes::{LANES, Lane, Wide, lane_operators};
-use super::super::{Real, Scalar};
+use super::super::{Real, Scalar, only_itself};
 use super::{Algorithm, LaneAlgorithm, WideAlgorithm};
 use std::arch::x86_64::*;
 use std::mem::transmute;
@@ -28,8 +28,10 @@ pub(super) fn wide_avx2<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(alg
 }
 
 #[target_feature(enable = "avx2,fma")]
-pub(super) fn one_fused<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
-    algorithm.run::<T::Fused>()
+pub(super) fn one_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
+    algorithm: A,
+) -> A::Output {
+    algorithm.run::<F>()
 }
 
 // SAFETY of every block below: promise 1 of the module; the types exist only where their features do.
@@ -87,15 +89,7 @@ macro_rules! register {
             fn constant(c: $T) -> Self {
                 Self(unsafe { $set1(c) })
             }
-            type Stored = Self;
-            #[inline(always)]
-            fn load(x: Self) -> Self {
-                x
-            }
-            #[inline(always)]
-            fn store(self) -> Self {
-                self
-            }
+            only_itself!();
             const ZERO: Self = Self::all(0.0);
             const ONE: Self = Self::all(1.0);
             #[inline(always)]
@@ -235,6 +229,26 @@ register!(
     |x, y| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(x, y)) != 0
 );
 
+register!(
+    F32x4,
+    f32,
+    4,
+    __m128,
+    "Four f32.",
+    _mm_add_ps,
+    _mm_sub_ps,
+    _mm_mul_ps,
+    _mm_div_ps,
+    _mm_sqrt_ps,
+    _mm_fmadd_ps,
+    _mm_min_ps,
+    _mm_max_ps,
+    _mm_andnot_ps,
+    _mm_set1_ps,
+    |a, b, yes, no| _mm_blendv_ps(no, yes, _mm_cmplt_ps(a, b)),
+    |x, y| _mm_movemask_ps(_mm_cmplt_ps(x, y)) != 0
+);
+
 impl Lane for F64x8 {
     #[inline(always)]
     fn from_array(x: [f64; LANES]) -> Self {
@@ -309,15 +323,7 @@ impl Scalar for Pair {
     fn constant(c: f64) -> Self {
         Self(F64x4::constant(c), F64x4::constant(c))
     }
-    type Stored = Self;
-    #[inline(always)]
-    fn load(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn store(self) -> Self {
-        self
-    }
+    only_itself!();
     const ZERO: Self = Self(F64x4::ZERO, F64x4::ZERO);
     const ONE: Self = Self(F64x4::ONE, F64x4::ONE);
     #[inline(always)]

@@ -1,0 +1,187 @@
+//! H, τ and v̇ of a group of configurations.
+
+use super::{AbaWorkspace, CrbaWorkspace, GROUP, Kernel, RneaWorkspace, from_lanes, into_lanes};
+use crate::dynamics::{Aba, Entries, Rnea, crba};
+use crate::error::{Error, NotPositiveDefinite};
+use crate::model::{EMPTY, Model};
+use crate::scalar::{Batched, Real, Scalar, Wide};
+
+/// H.
+#[doc(hidden)]
+#[allow(missing_debug_implementations)]
+pub struct Masses<'a, T> {
+    pub(super) H: &'a mut [T],
+}
+
+impl<T: Batched> Kernel<T> for Masses<'_, T> {
+    type Output = ();
+    type Room<W: Wide<Constant = T>> = CrbaWorkspace<W>;
+
+    #[inline(always)]
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> CrbaWorkspace<W> {
+        CrbaWorkspace::new(model)
+    }
+
+    #[inline(always)]
+    fn group<W: Wide<Constant = T>>(
+        &mut self,
+        model: &Model<T>,
+        q: &[W],
+        first: usize,
+        lanes: usize,
+        room: &mut CrbaWorkspace<W>,
+        (): &mut (),
+    ) {
+        let nv = model.nv();
+        let H = &mut self.H[first * nv * nv..][..lanes * nv * nv];
+        H.fill(T::ZERO);
+        crba::<W, _>(model, q, room, &mut Scattered { H, nv });
+    }
+}
+
+/// One matrix a lane, one after the other.
+struct Scattered<'a, T> {
+    H: &'a mut [T],
+    nv: usize,
+}
+
+impl<T: Real, W: Wide<Constant = T>> Entries<W> for Scattered<'_, T> {
+    #[inline(always)]
+    fn put(&mut self, d: usize, e: usize, H_de: W) {
+        let mut lanes = [T::ZERO; GROUP];
+        H_de.to_slice(&mut lanes);
+        let (nv, below, above) = (self.nv, d * self.nv + e, e * self.nv + d);
+        for (H, &x) in self.H.chunks_exact_mut(nv * nv).zip(&lanes[..W::WIDTH]) {
+            H[below] = x;
+            H[above] = x;
+        }
+    }
+    #[inline(always)]
+    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[W]) {
+        for (&d, &H_de) in dofs.iter().zip(H_e) {
+            if d != EMPTY {
+                self.put(d as usize, e, H_de);
+            }
+        }
+    }
+}
+
+/// τ.
+#[doc(hidden)]
+#[allow(missing_debug_implementations)]
+pub struct Inverse<'a, T> {
+    pub(super) v: &'a [T],
+    pub(super) vdot: &'a [T],
+    pub(super) tau: &'a mut [T],
+}
+
+/// A workspace, and v, v̇ or τ, and the result in lanes.
+pub(super) struct Room<K, W> {
+    workspace: K,
+    v: Vec<W>,
+    given: Vec<W>,
+    found: Vec<W>,
+}
+
+impl<K, W: Scalar> Room<K, W> {
+    fn new(workspace: K, nv: usize) -> Self {
+        Self { workspace, v: vec![W::ZERO; nv], given: vec![W::ZERO; nv], found: vec![W::ZERO; nv] }
+    }
+}
+
+impl<T: Batched> Kernel<T> for Inverse<'_, T> {
+    type Output = ();
+    type Room<W: Wide<Constant = T>> = Room<RneaWorkspace<W>, W>;
+
+    #[inline(always)]
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W> {
+        Room::new(RneaWorkspace::new(model), model.nv())
+    }
+
+    #[inline(always)]
+    fn group<W: Wide<Constant = T>>(
+        &mut self,
+        model: &Model<T>,
+        q: &[W],
+        first: usize,
+        lanes: usize,
+        Room { workspace, v, given, found }: &mut Self::Room<W>,
+        (): &mut (),
+    ) {
+        let nv = model.nv();
+        into_lanes(&self.v[first * nv..], nv, lanes, v);
+        into_lanes(&self.vdot[first * nv..], nv, lanes, given);
+        Rnea { model, q, v, vdot: given, workspace, tau: found }.sweep::<W>();
+        from_lanes(found, nv, lanes, &mut self.tau[first * nv..]);
+    }
+}
+
+/// v̇.
+#[doc(hidden)]
+#[allow(missing_debug_implementations)]
+pub struct Forward<'a, T> {
+    pub(super) v: &'a [T],
+    pub(super) tau: &'a [T],
+    pub(super) vdot: &'a mut [T],
+}
+
+impl<T: Batched> Kernel<T> for Forward<'_, T> {
+    /// The first configuration with a pivot that is not positive.
+    type Output = Option<(usize, Error)>;
+    type Room<W: Wide<Constant = T>> = Room<AbaWorkspace<W>, W>;
+
+    #[inline(always)]
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W> {
+        Room::new(AbaWorkspace::new(model), model.nv())
+    }
+
+    #[inline(always)]
+    fn group<W: Wide<Constant = T>>(
+        &mut self,
+        model: &Model<T>,
+        q: &[W],
+        first: usize,
+        lanes: usize,
+        Room { workspace, v, given, found }: &mut Self::Room<W>,
+        failed: &mut Option<(usize, Error)>,
+    ) {
+        let nv = model.nv();
+        into_lanes(&self.v[first * nv..], nv, lanes, v);
+        into_lanes(&self.tau[first * nv..], nv, lanes, given);
+        Aba { model, q, v, tau: given, workspace, vdot: found }.sweep::<W>();
+        from_lanes(found, nv, lanes, &mut self.vdot[first * nv..]);
+        if failed.is_none() && !all_positive(workspace.pivots()) {
+            *failed = first_bad(model, workspace.pivots(), lanes).map(|(lane, error)| (first + lane, error));
+        }
+    }
+}
+
+/// That no pivot is zero, negative, infinite or not a number.
+#[inline(always)]
+fn all_positive<W: Wide>(D: &[W]) -> bool {
+    let mut faults = W::ZERO;
+    for &D in D {
+        // D − D is zero for a finite number and for no other; a comparison with what is not a number chooses the last.
+        let finite = (D - D).abs().select_lt(W::ONE, W::ZERO, W::ONE);
+        faults += W::ZERO.select_lt(D, finite, W::ONE);
+    }
+    !faults.any_above(W::Constant::from_f64(0.0))
+}
+
+/// The first lane with a bad pivot, and the first of its pivots, tips first.
+#[cold]
+#[inline(never)]
+fn first_bad<W: Wide>(model: &Model<W::Constant>, D: &[W], lanes: usize) -> Option<(usize, Error)> {
+    let zero = W::Constant::from_f64(0.0);
+    let mut buffer = [zero; GROUP];
+    for lane in 0..lanes {
+        for dof in model.dofs().order().rev() {
+            D[dof].to_slice(&mut buffer);
+            let pivot = buffer[lane];
+            if !(pivot > zero && pivot.is_finite()) {
+                return Some((lane, NotPositiveDefinite { dof, pivot: pivot.to_f64() }.into()));
+            }
+        }
+    }
+    None
+}

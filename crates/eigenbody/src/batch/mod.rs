@@ -1,0 +1,318 @@
+//! Many configurations at once: lanes of the processor's widest unit, on all cores.
+//!
+//! ```text
+//! for each chunk of configurations, in parallel:
+//!     for each group of W configurations:    x ← one configuration a lane;    y ← kernel(x);    one result a lane ← y
+//! ```
+//! The kernels are those of [`dynamics`](crate::dynamics) and [`spectrum`](crate::spectrum), over lanes instead of numbers. Arrays
+//! are row-major, one configuration after the other, in the caller's memory. Groups are the same however many threads there are, and so
+//! are the numbers. Every call allocates its workspaces anew: batches of a hundred configurations and more make up for that.
+
+//ENDS
+mod kernels;
+
+use crate::dynamics::{AbaWorkspace, CrbaWorkspace, RneaWorkspace};
+use crate::error::{Error, InputError};
+use crate::model::{Model, check};
+use crate::scalar::{Batched, Scalar, Unit, Wide, WideAlgorithm};
+use kernels::{Forward, Inverse, Masses};
+use rayon::prelude::*;
+
+/// Configurations of the widest group: chunks are multiples of it.
+const GROUP: usize = 16;
+/// Fewest configurations of a chunk.
+const CHUNK: usize = 4 * GROUP;
+
+/// What went wrong, and where.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BatchError {
+    /// An array does not fit the model or the other arrays.
+    #[error(transparent)]
+    Shape(InputError),
+    /// One configuration has no answer. It is the first of those that have none.
+    #[error("configuration {index}: {error}")]
+    Configuration {
+        /// Its place in the batch, from 0.
+        index: usize,
+        /// What is wrong with it.
+        error: Error,
+    },
+}
+
+/// Computes over many configurations of one robot.
+///
+/// ```
+/// use eigenbody::{Family, Model, batch::Batch, mass_matrix};
+/// let arm: Model<f64> = Family::hydra(3, 1.0, 0.4, 1.0)?.model()?;
+/// let q: Vec<f64> = (0..300).map(|k| k as f64 / 100.0).collect();
+/// let mut H = vec![0.0; 100 * 9];
+/// Batch::new(&arm).mass_matrices(&q, &mut H)?;
+/// let last = mass_matrix(&arm, &q[297..])?;
+/// assert!(H[891..].iter().zip(last.as_slice()).all(|(a, b)| (a - b).abs() < 1e-14));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Batch<'m, T> {
+    model: &'m Model<T>,
+    unit: Unit,
+}
+
+impl<'m, T: Lanes> Batch<'m, T> {
+    /// On the widest unit of this processor.
+    pub fn new(model: &'m Model<T>) -> Self {
+        Self { model, unit: Unit::widest() }
+    }
+
+    /// On no wider a unit than this: for comparisons.
+    pub fn on(self, unit: Unit) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// H(q) of every configuration.
+    ///
+    /// | name | shape | unit |
+    /// |------|-------|------|
+    /// | `q` | k × `nq` | rad, m, unit quaternions |
+    /// | `H` | k × `nv` × `nv`, both triangles | kg m², kg m, kg |
+    ///
+    /// Method and numerics: as [`mass_matrix`](crate::mass_matrix).
+    ///
+    /// Errors: [`BatchError`]; `H` then holds no result.
+    pub fn mass_matrices(&self, q: &[T], H: &mut [T]) -> Result<(), BatchError> {
+        let Self { model, unit } = *self;
+        model.check_dense().map_err(BatchError::Shape)?;
+        let count = self.count(q)?;
+        let (nq, size) = (model.nq(), model.nv() * model.nv());
+        length("H", H.len(), count * size)?;
+        let chunk = chunk(count);
+        let parts = chunks(q, chunk * nq).zip(chunks_mut(H, chunk * size));
+        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { H }));
+        Ok(())
+    }
+
+    /// τ = H(q) v̇ + C(q, v) of every state.
+    ///
+    /// | name | shape | unit |
+    /// |------|-------|------|
+    /// | `q` | k × `nq` | rad, m, unit quaternions |
+    /// | `v`, `vdot` | k × `nv` | rad/s, m/s; rad/s², m/s² |
+    /// | `tau` | k × `nv` | N m, N |
+    ///
+    /// Method and numerics: as [`inverse_dynamics`](crate::inverse_dynamics).
+    ///
+    /// Errors: [`BatchError`]; `tau` then holds no result.
+    pub fn inverse_dynamics(&self, q: &[T], v: &[T], vdot: &[T], tau: &mut [T]) -> Result<(), BatchError> {
+        let Self { model, unit } = *self;
+        let count = self.count(q)?;
+        let (nq, nv) = (model.nq(), model.nv());
+        self.check_v("v", v, count)?;
+        self.check_v("vdot", vdot, count)?;
+        length("tau", tau.len(), count * nv)?;
+        let chunk = chunk(count);
+        let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(vdot, chunk * nv));
+        states.zip(chunks_mut(tau, chunk * nv)).for_each(|(((q, v), vdot), tau)| {
+            T::inverse(model, unit, q, Inverse { v, vdot, tau });
+        });
+        Ok(())
+    }
+
+    /// v̇ = H(q)⁻¹ (τ − C(q, v)) of every state.
+    ///
+    /// | name | shape | unit |
+    /// |------|-------|------|
+    /// | `q` | k × `nq` | rad, m, unit quaternions |
+    /// | `v`, `tau` | k × `nv` | rad/s, m/s; N m, N |
+    /// | `vdot` | k × `nv` | rad/s², m/s² |
+    ///
+    /// Method and numerics: as [`forward_dynamics`](crate::forward_dynamics).
+    ///
+    /// Errors: [`BatchError`], also where a hinge inertia is not positive; `vdot` then holds no result.
+    pub fn forward_dynamics(&self, q: &[T], v: &[T], tau: &[T], vdot: &mut [T]) -> Result<(), BatchError> {
+        let Self { model, unit } = *self;
+        let count = self.count(q)?;
+        let (nq, nv) = (model.nq(), model.nv());
+        self.check_v("v", v, count)?;
+        self.check_v("tau", tau, count)?;
+        length("vdot", vdot.len(), count * nv)?;
+        let chunk = chunk(count);
+        let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(tau, chunk * nv));
+        let failed: Vec<Option<(usize, Error)>> = states
+            .zip(chunks_mut(vdot, chunk * nv))
+            .map(|(((q, v), tau), vdot)| T::forward(model, unit, q, Forward { v, tau, vdot }))
+            .collect();
+        first(failed, chunk)
+    }
+
+    /// Number of configurations in `q`, which is looked at.
+    fn count(&self, q: &[T]) -> Result<usize, BatchError> {
+        let (model, nq) = (self.model, self.model.nq());
+        let count = q.len().checked_div(nq).unwrap_or(0);
+        if count * nq != q.len() {
+            return Err(BatchError::Shape(InputError::Length {
+                what: "q",
+                expected: (count + 1) * nq,
+                found: q.len(),
+            }));
+        }
+        let clean = check("q", q, q.len()).is_ok();
+        if clean && model.mechanism.quaternions.is_empty() {
+            return Ok(count);
+        }
+        for (index, q) in q.chunks_exact(nq.max(1)).enumerate() {
+            model.check_q(q).map_err(|error| BatchError::Configuration { index, error: error.into() })?;
+        }
+        Ok(count)
+    }
+
+    /// That there are `count` finite rows.
+    fn check_v(&self, what: &'static str, v: &[T], count: usize) -> Result<(), BatchError> {
+        let nv = self.model.nv();
+        length(what, v.len(), count * nv)?;
+        check(what, v, v.len()).map_err(|error| match error {
+            InputError::NotFinite { what, index } => BatchError::Configuration {
+                index: index / nv,
+                error: InputError::NotFinite { what, index: index % nv }.into(),
+            },
+            error => BatchError::Shape(error),
+        })
+    }
+}
+
+fn length(what: &'static str, found: usize, expected: usize) -> Result<(), BatchError> {
+    match found == expected {
+        true => Ok(()),
+        false => Err(BatchError::Shape(InputError::Length { what, expected, found })),
+    }
+}
+
+/// Configurations of a chunk: a few chunks for each thread, whole groups.
+fn chunk(count: usize) -> usize {
+    count.div_ceil(4 * rayon::current_num_threads()).next_multiple_of(GROUP).max(CHUNK)
+}
+
+fn chunks<T: Sync>(x: &[T], size: usize) -> rayon::slice::Chunks<'_, T> {
+    x.par_chunks(size.max(1))
+}
+
+fn chunks_mut<T: Send>(x: &mut [T], size: usize) -> rayon::slice::ChunksMut<'_, T> {
+    x.par_chunks_mut(size.max(1))
+}
+
+/// The first failure in the order of the configurations.
+fn first(failed: Vec<Option<(usize, Error)>>, chunk: usize) -> Result<(), BatchError> {
+    let found = failed.into_iter().enumerate().find_map(|(k, failure)| Some((k, failure?)));
+    match found {
+        Some((k, (index, error))) => Err(BatchError::Configuration { index: k * chunk + index, error }),
+        None => Ok(()),
+    }
+}
+
+/// Numbers that a batch may be of: f32 and f64. The kernels are compiled here, once, not again by each crate that calls them.
+pub trait Lanes: Batched {
+    #[doc(hidden)]
+    fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>);
+    #[doc(hidden)]
+    fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>);
+    #[doc(hidden)]
+    fn forward(
+        model: &Model<Self>,
+        unit: Unit,
+        q: &[Self],
+        kernel: Forward<'_, Self>,
+    ) -> Option<(usize, Error)>;
+}
+
+macro_rules! lanes {
+    ($T:ident) => {
+        impl Lanes for $T {
+            fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) {
+                Self::dispatch_wide(unit, Over { model, q, kernel });
+            }
+            fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) {
+                Self::dispatch_wide(unit, Over { model, q, kernel });
+            }
+            fn forward(
+                model: &Model<Self>,
+                unit: Unit,
+                q: &[Self],
+                kernel: Forward<'_, Self>,
+            ) -> Option<(usize, Error)> {
+                Self::dispatch_wide(unit, Over { model, q, kernel })
+            }
+        }
+    };
+}
+
+lanes!(f32);
+lanes!(f64);
+
+/// A kernel over the configurations of a chunk.
+struct Over<'a, T, K> {
+    model: &'a Model<T>,
+    q: &'a [T],
+    kernel: K,
+}
+
+/// What is computed of a group of configurations, one a lane.
+trait Kernel<T: Batched> {
+    /// What is told of a chunk.
+    type Output: Default;
+    /// Memory for a group.
+    type Room<W: Wide<Constant = T>>;
+    /// Memory for a group.
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W>;
+    /// Computes the group of `lanes` configurations that begins with configuration `first`; q stands in lanes already.
+    fn group<W: Wide<Constant = T>>(
+        &mut self,
+        model: &Model<T>,
+        q: &[W],
+        first: usize,
+        lanes: usize,
+        room: &mut Self::Room<W>,
+        output: &mut Self::Output,
+    );
+}
+
+impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
+    type Output = K::Output;
+
+    #[inline(always)]
+    fn run<W: Wide<Constant = T>>(mut self) -> K::Output {
+        let (model, nq) = (self.model, self.model.nq());
+        let count = self.q.len().checked_div(nq).unwrap_or(0);
+        let mut q = vec![W::ZERO; nq];
+        let (mut room, mut output) = (self.kernel.room::<W>(model), K::Output::default());
+        let mut first = 0;
+        while first < count {
+            let lanes = W::WIDTH.min(count - first);
+            into_lanes(&self.q[first * nq..], nq, lanes, &mut q);
+            self.kernel.group(model, &q, first, lanes, &mut room, &mut output);
+            first += W::WIDTH;
+        }
+        output
+    }
+}
+
+/// Rows of `n` numbers into lanes; where there are fewer rows than lanes the last row is repeated.
+#[inline(always)]
+fn into_lanes<W: Wide>(rows: &[W::Constant], n: usize, lanes: usize, out: &mut [W]) {
+    let mut buffer = [<W::Constant as Scalar>::ZERO; GROUP];
+    for (j, out) in out.iter_mut().enumerate() {
+        for (lane, number) in buffer[..W::WIDTH].iter_mut().enumerate() {
+            *number = rows[lane.min(lanes - 1) * n + j];
+        }
+        *out = W::from_slice(&buffer);
+    }
+}
+
+/// Lanes into rows of `n` numbers.
+#[inline(always)]
+fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, rows: &mut [W::Constant]) {
+    let mut buffer = [<W::Constant as Scalar>::ZERO; GROUP];
+    for (j, x) in x.iter().enumerate() {
+        x.to_slice(&mut buffer);
+        for (lane, &number) in buffer[..lanes].iter().enumerate() {
+            rows[lane * n + j] = number;
+        }
+    }
+}
