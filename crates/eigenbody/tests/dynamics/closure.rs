@@ -128,6 +128,9 @@ fn allowed_motions_against_another_library() {
         let free: Vec<usize> = (0..n).filter(|&k| pairs.eigenvalues[k] <= cut).collect();
         assert_eq!((allowed.H.rows(), allowed.rank), (free.len(), n - free.len()), "{seed}");
         let N = &units * pairs.eigenvectors.select_columns(&free);
+        let forbidden = dense(&A) * dense(&allowed.basis);
+        // n ε of the entries, and the rank tolerance
+        assert!(forbidden.iter().all(|x| x.abs() < 1e-8 * A.max_abs()), "{seed}: {}", forbidden.amax());
         let mut expected: Vec<f64> =
             (N.transpose() * dense(&H) * &N).symmetric_eigenvalues().iter().copied().collect();
         let mut found: Vec<f64> = dense(&allowed.H).symmetric_eigenvalues().iter().copied().collect();
