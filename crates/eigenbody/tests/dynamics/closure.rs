@@ -102,7 +102,9 @@ fn four_bar() {
 #[test]
 fn allowed_motions_against_another_library() {
     for seed in 0..20 {
-        let model = plan::<f64>(seed, 8).build(Base::Floating);
+        // A floating base moves both ends alike: its columns of A are zero, and reflections commute.
+        let base = if seed % 2 == 0 { Base::Fixed } else { Base::Floating };
+        let model = plan::<f64>(seed, 8).build(base);
         let q = configuration(&model, seed);
         let links = model.links().len();
         let [a, b] = [links - 1, links / 2];
