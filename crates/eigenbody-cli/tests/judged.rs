@@ -208,6 +208,10 @@ fn settings_are_found() {
     let (status, page) = check(&path, &["--config", &driven]);
     assert!(status == 1 && page.contains("warning[time-step]"), "{page}");
     assert_eq!(check(&path, &["--config", &driven, "--dt", "1e-9"]).0, 0);
+    let beside = scratch.file("robots/arms/eigenbody.toml", "[check]\nmax-kappa = 1e7\n");
+    assert_eq!(check(&path, &[]).0, 0);
+    std::fs::remove_file(beside).unwrap();
+    assert_eq!(check(&path, &["--fail-on", "warning"]).0, 1);
     let named = scratch.file("strict.toml", "[check]\nmax-kappa = 1e7\n");
     assert_eq!(check(&path, &["--config", &named]).0, 0);
 }

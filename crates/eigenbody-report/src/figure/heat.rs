@@ -142,6 +142,7 @@ mod tests {
         let n = 1000;
         let mut cells = vec![None; n * n];
         cells[n * n - 1] = Some(1.0);
+        cells[n * n - 2] = Some(0.5);
         let heat = Heat { names: vec!["x".into(); n], cells, ends: ["a".into(), "b".into()] };
         assert_eq!((heat.block(90, 90, 11), heat.block(90, 89, 11)), (Some(1.0), None));
         assert!(heat.scene().finish("t").len() < 20_000);
