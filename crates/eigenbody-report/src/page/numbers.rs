@@ -2,7 +2,7 @@
 
 use super::html::{Html, table};
 use super::{Page, heading, symbol};
-use crate::diagnosis::AdviceReport;
+use crate::diagnosis::{AdviceReport, SteppingReport};
 use crate::number::significant;
 use eigenbody_study::portrait::ModePlace;
 
@@ -64,6 +64,9 @@ pub(super) fn summary(page: &Page) -> Html {
             .then(Html::text(" digits lost."));
         whole.push(Html::element("p", &[], predicted));
     }
+    if let Some(found) = report.stepping.as_ref().filter(|found| found.passive) {
+        whole.push(stepping(found));
+    }
     for (k, motion) in report.null_motions.iter().enumerate() {
         let rows = motion.iter().map(|rate| vec![Html::text(&rate.joint), data("", Some(rate.rate), "")]);
         whole.push(table(&format!("Motion {} that moves no mass", k + 1), &["joint", "rate"], rows));
@@ -73,7 +76,11 @@ pub(super) fn summary(page: &Page) -> Html {
 
 /// What to add.
 pub(super) fn advice(advice: &AdviceReport) -> Html {
-    let goal = if advice.measure == "kappa" { "κ at most" } else { "λmin at least" };
+    let goal = match advice.measure {
+        "kappa" => "κ at most",
+        "step" => "steps (s) of",
+        _ => "λmin at least",
+    };
     let rows = advice.added.iter().filter(|added| added.added > 0.0).map(|added| {
         vec![
             Html::text(&added.joint),
@@ -84,11 +91,71 @@ pub(super) fn advice(advice: &AdviceReport) -> Html {
     });
     let caption =
         format!("The least armature for {goal} {} in every configuration", significant(advice.wanted, 4));
-    Html::words("h3", "Armature").then(table(
+    let mut whole = Html::words("h3", "Armature").then(table(
         &caption,
         &["joint", "has (kg m², kg)", "add", "% of its own inertia"],
         rows,
-    ))
+    ));
+    if !advice.links.is_empty() {
+        let rows = advice.links.iter().map(|link| {
+            let trace = |inertia: &[f64; 6]| Some(inertia[..3].iter().sum());
+            vec![
+                Html::text(&link.link),
+                data("", Some(link.mass), ""),
+                data("", Some(link.added_mass), ""),
+                data("", trace(&link.inertia), ""),
+                data("", trace(&link.added_inertia), ""),
+            ]
+        });
+        let headings = ["link", "mass (kg)", "add", "trace of its inertia (kg m²)", "add"];
+        whole.push(table("Or matter about the centre of mass of one link", &headings, rows));
+    }
+    if !advice.limits.is_empty() {
+        let rows = advice.limits.iter().map(|limit| {
+            vec![
+                Html::text(&limit.joint),
+                data("", Some(limit.kept[0]), ""),
+                data("", Some(limit.kept[1]), ""),
+                data("", Some(100.0 * limit.lost), ""),
+            ]
+        });
+        let headings = ["joint", "from (rad, m)", "to", "% of its range lost"];
+        whole.push(table("Or a limit on one joint", &headings, rows));
+    }
+    whole
+}
+
+/// Stable steps, and what joints bear.
+fn stepping(found: &SteppingReport) -> Html {
+    let rows = found.limits.iter().map(|limit| {
+        let joints: Vec<&str> = limit.joints.iter().take(2).map(|pull| pull.joint.as_str()).collect();
+        vec![
+            Html::text(limit.integrator),
+            data("", limit.largest, "without limit"),
+            Html::text(if limit.largest.is_some() { joints.join(", ") } else { String::new() }),
+        ]
+    });
+    let headings = ["method", "largest stable step (s)", "what grows beyond it"];
+    let mut whole =
+        table("Time steps, with the stiffness, damping and gains that are known", &headings, rows);
+    if let Some(step) = found.step {
+        let rows = found.joints.iter().map(|joint| {
+            vec![
+                Html::text(&joint.joint),
+                data("", Some(joint.stiffness), ""),
+                data("", Some(joint.damping), ""),
+                data("", Some(joint.inertia), ""),
+                data("", joint.largest_kp, "any"),
+                data("", joint.largest_kd, "any"),
+            ]
+        });
+        let caption =
+            format!("Gains that one joint bears alone at {} s, {}", significant(step, 4), found.integrator);
+        let headings =
+            ["joint", "stiffness", "damping", "least inertia, others free", "largest kp", "largest kd"];
+        whole.push(table(&caption, &headings, rows));
+    }
+    whole
 }
 
 /// Joints of a mode with bars.
