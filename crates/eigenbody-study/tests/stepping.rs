@@ -11,7 +11,7 @@ use eigenbody_study::diagnosis::{Diagnosis, Drive, Question, Stepping, diagnose}
 fn springs(model: &Model<f64>, kp: f64, kd: f64) -> Vec<Spring> {
     let spring = |d: usize| Spring {
         name: model.dof_name(d),
-        source: if d % 2 == 0 { SpringSource::Actuator } else { SpringSource::Joint },
+        source: if d.is_multiple_of(2) { SpringSource::Actuator } else { SpringSource::Joint },
         arms: vec![(d, 1.0)],
         stiffness: kp * (1.0 + d as f64),
         damping: kd / (1.0 + d as f64),
