@@ -18,5 +18,6 @@ pub fn check() -> Outcome {
     compare("hard.py", "eigenbody")?;
     compare("robots.py", "examples/matrices")?;
     compare("loops.py", "eigenbody")?;
+    compare("page.py", "eigenbody")?;
     compare("broken.py", "examples/mutations")
 }

@@ -9,6 +9,7 @@ mod program;
 mod python;
 mod stability;
 mod steps;
+mod studies;
 mod suite;
 mod survey;
 
@@ -23,7 +24,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 11] = [
+const TASKS: [Task; 14] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -49,6 +50,17 @@ const TASKS: [Task; 11] = [
         run: stability::stability,
     },
     Task { name: "newton", about: "docs/guide/src/newton.md: a case study", run: newton::newton },
+    Task {
+        name: "estimators",
+        about: "docs/estimators.md: estimators of kappa beside kappa, along motions",
+        run: studies::estimators,
+    },
+    Task { name: "cost", about: "docs/cost.md: what ill-conditioning costs", run: studies::cost },
+    Task {
+        name: "tracking",
+        about: "the tracker beside Pinocchio and LAPACK, into docs/performance.md",
+        run: bench::tracking,
+    },
     Task {
         name: "bench",
         about: "the figures of docs/performance.md, beside LAPACK and faer",

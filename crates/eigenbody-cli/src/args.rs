@@ -1,13 +1,12 @@
 //! The command line: a contract. Add, do not rename.
 
+use crate::fail_on::FailOn;
 use clap::{Parser, Subcommand, ValueEnum};
 use eigenbody::Method;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::Precision;
-use eigenbody_report::rules;
-use eigenbody_study::diagnosis::Severity;
+use serde::Deserialize;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// How well-conditioned is a robot?
 ///
@@ -260,7 +259,7 @@ pub struct ReportArgs {
 }
 
 /// How a robot is driven and stepped.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub struct GainArgs {
     /// Stiffness on joints in place of the gains of the file's actuators: a number for all, or 'elbow=100,wrist=5' (N m/rad, N/m).
     #[arg(long, value_name = "GAINS", allow_hyphen_values = true)]
@@ -291,7 +290,8 @@ pub enum RemedyArg {
 }
 
 /// `--integrator`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum IntegratorArg {
     /// Semi-implicit Euler.
     SemiImplicit,
@@ -301,42 +301,6 @@ pub enum IntegratorArg {
     Implicit,
     /// Runge-Kutta of order four.
     Rk4,
-}
-
-/// `--fail-on`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FailOn {
-    /// Findings of this level or graver.
-    Level(Severity),
-    /// Findings with these names.
-    Codes(Vec<String>),
-    /// Nothing: always 0, but for status 2.
-    Never,
-}
-
-impl FromStr for FailOn {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Ok(match text {
-            "note" => Self::Level(Severity::Note),
-            "warning" => Self::Level(Severity::Warning),
-            "error" => Self::Level(Severity::Error),
-            "never" => Self::Never,
-            codes => {
-                let codes: Vec<String> = codes.split(',').map(|code| code.trim().to_owned()).collect();
-                let known = |code: &String| rules().any(|rule| rule.code == code);
-                if let Some(code) = codes.iter().find(|code| !known(code)) {
-                    let names: Vec<&str> = rules().map(|rule| rule.code).collect();
-                    return Err(format!(
-                        "no level or finding is called '{code}': expected note, warning, error, never, or some of {}",
-                        names.join(", ")
-                    ));
-                }
-                Self::Codes(codes)
-            }
-        })
-    }
 }
 
 /// `--format`.

@@ -90,6 +90,13 @@ impl Growing {
         Err(self.target.failure(source, rows))
     }
 
+    /// The rows are of no use: nothing is left of them.
+    pub fn discard(self) {
+        if let Target::File { partial, .. } = &self.target {
+            _ = std::fs::remove_file(partial);
+        }
+    }
+
     /// All rows are there: the table under its own name.
     pub fn finish(mut self) -> Result<u64, Failure> {
         self.flush()?;

@@ -10,6 +10,7 @@
 
 mod args;
 mod commands;
+mod fail_on;
 mod failure;
 mod growing;
 mod output;

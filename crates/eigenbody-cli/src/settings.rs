@@ -7,7 +7,8 @@
 //! ```
 //! The keys are the options of `check`, and an option wins over its key.
 
-use crate::args::FailOn;
+use crate::args::{GainArgs, IntegratorArg};
+use crate::fail_on::FailOn;
 use crate::failure::Failure;
 use eigenbody_formats::{Kind, Loaded};
 use serde::Deserialize;
@@ -37,7 +38,28 @@ struct Keys {
     max_kappa_weighted: Option<Spanned<f64>>,
     max_kappa: Option<Spanned<f64>>,
     f32_digits: Option<Spanned<f64>>,
+    kp: Option<Gain>,
+    kd: Option<Gain>,
+    dt: Option<Spanned<f64>>,
+    integrator: Option<IntegratorArg>,
     fail_on: Option<Spanned<String>>,
+}
+
+/// A number for all joints, or as `--kp` takes it.
+#[derive(Debug, Deserialize)]
+#[serde(untagged)]
+enum Gain {
+    All(f64),
+    Named(String),
+}
+
+impl From<Gain> for String {
+    fn from(gain: Gain) -> Self {
+        match gain {
+            Gain::All(gain) => gain.to_string(),
+            Gain::Named(text) => text,
+        }
+    }
 }
 
 /// What the file says, and where it is.
@@ -57,11 +79,24 @@ pub struct Settings {
     pub max_kappa: Option<f64>,
     /// `f32-digits`.
     pub f32_digits: Option<f64>,
+    /// `kp`, `kd`, `dt`, `integrator`.
+    pub gains: GainArgs,
     /// `fail-on`.
     pub fail_on: Option<FailOn>,
 }
 
 impl Settings {
+    /// What drives the robot: as the options say, else as the file does.
+    pub fn drive(&self, args: &GainArgs) -> GainArgs {
+        let kept = &self.gains;
+        GainArgs {
+            kp: args.kp.clone().or_else(|| kept.kp.clone()),
+            kd: args.kd.clone().or_else(|| kept.kd.clone()),
+            dt: args.dt.or(kept.dt),
+            integrator: args.integrator.or(kept.integrator),
+        }
+    }
+
     /// The file that is named, or the nearest one above the model's; none is all defaults.
     pub fn find(named: Option<&Path>, model: &Loaded) -> Result<Self, Failure> {
         match named.map(Path::to_owned).or_else(|| nearest(model)) {
@@ -121,6 +156,12 @@ impl Keys {
             max_kappa_weighted: positive("max-kappa-weighted", self.max_kappa_weighted)?,
             max_kappa: positive("max-kappa", self.max_kappa)?,
             f32_digits: positive("f32-digits", self.f32_digits)?,
+            gains: GainArgs {
+                kp: self.kp.map(String::from),
+                kd: self.kd.map(String::from),
+                dt: positive("dt", self.dt)?,
+                integrator: self.integrator,
+            },
             fail_on,
         })
     }

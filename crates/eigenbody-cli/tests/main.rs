@@ -1,12 +1,17 @@
 //! The command as a user meets it: what it prints, and how it fails.
 
 // Helpers stop a test as its own lines would.
+// H and N are the book's symbols.
+#![allow(non_snake_case)]
 #![allow(clippy::unwrap_used)]
 
 mod bad_input;
 mod check;
 mod formats;
+mod judged;
 mod matrix;
+mod motion;
+mod page;
 mod reproduce;
 mod run;
 mod spectrum;

@@ -11,6 +11,7 @@ mod excerpt;
 pub mod figure;
 mod info;
 mod matrix;
+mod motion;
 mod number;
 mod page;
 mod reproduction;
@@ -28,6 +29,7 @@ pub use diagnosis::{
 pub use excerpt::excerpt;
 pub use info::{BodyRow, DofRow, InfoReport};
 pub use matrix::{AmongReport, MatrixReport};
+pub use motion::{Page as StudyPage, cost_page, judged_page};
 pub use number::significant;
 pub use page::{Page, WorstPicture};
 pub use reproduction::{CheckReport, ClaimReport, Shown, claims_json, claims_text, gallery};

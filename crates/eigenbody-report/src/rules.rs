@@ -18,8 +18,8 @@ pub const OF_ROBOTS: &[Rule] = &[
     rule("moves-no-mass", "Some joint rates move no mass in any configuration: H is singular."),
     rule("solves", "Solves with H in double precision lose digits: κ' is large somewhere."),
     rule("single-precision", "Single precision keeps too few digits of an acceleration somewhere."),
+    rule("time-step", "The step is longer than the largest stable one."),
     rule("gains", "κ is large somewhere: gains and explicit steps cannot suit all motions."),
-    rule("time-step", "The step in use is longer than the largest that is stable everywhere."),
 ];
 
 /// Findings on the file and the model as it was read.
@@ -39,7 +39,8 @@ pub const OF_MODELS: &[Rule] = &[
     rule("loop", "A loop is cut."),
     rule("equality-ignored", "An equality is left out."),
     rule("armature-ignored", "An armature that couples joints is left out."),
-    rule("spring-ignored", "Stiffness, damping or feedback is left out of time steps."),
+    rule("spring-ignored", "A spring, damper or feedback is left out."),
+    rule("spring-ignored", "A spring, damper or feedback is left out."),
     rule("outside-world", "A body stands outside the world."),
 ];
 

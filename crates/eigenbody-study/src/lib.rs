@@ -27,6 +27,7 @@ pub mod featherstone;
 pub mod fit;
 mod lab;
 pub mod monitor;
+pub mod motion;
 pub mod portrait;
 mod row;
 pub mod shah_saha;

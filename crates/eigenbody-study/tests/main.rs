@@ -12,6 +12,7 @@ mod diagnosis;
 mod estimators;
 mod experiment;
 mod fit;
+mod motion;
 mod sensitivity;
 mod simulate;
 mod stepping;

@@ -7,12 +7,14 @@ mod figures;
 mod instructions;
 pub mod peers;
 mod report;
+mod tracking;
 
 use std::path::{Path, PathBuf};
 
 use crate::program::{build_directory, cargo, output, program, root, run};
 use crate::{Outcome, oracle};
 use figures::Figures;
+pub use tracking::tracking;
 
 /// Turns of each program.
 const ROUNDS: usize = 5;
@@ -40,11 +42,8 @@ pub fn bench() -> Outcome {
 
 /// The engine beside faer, in one process, and LAPACK.
 fn compare(directory: &Path, figures: &mut Figures) -> Outcome {
-    let target = directory.join("peers");
-    run(cargo(&["build", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"])
-        .arg(&target))?;
-    let peers = target.join("release/peers");
-    let matrices = target.join("matrices");
+    let peers = peers(directory)?;
+    let matrices = directory.join("peers/matrices");
     run(program(&peers).arg("matrices").arg(&matrices))?;
     for round in 1..=ROUNDS {
         println!("compare: round {round} of {ROUNDS}");
@@ -54,6 +53,14 @@ fn compare(directory: &Path, figures: &mut Figures) -> Outcome {
         figures.read(&output(lapack.env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))?)?;
     }
     Ok(())
+}
+
+/// Builds `benches/peers`.
+fn peers(directory: &Path) -> Result<PathBuf, String> {
+    let target = directory.join("peers");
+    run(cargo(&["build", "--release", "--manifest-path", "benches/peers/Cargo.toml", "--target-dir"])
+        .arg(&target))?;
+    Ok(target.join("release/peers"))
 }
 
 /// Time and peak memory of the command, the building of the model included.

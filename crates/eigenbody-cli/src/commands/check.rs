@@ -3,7 +3,8 @@
 use super::advise::advise;
 use super::drive::drive;
 use super::positive;
-use crate::args::{CheckArgs, CheckCommand, CheckFormat, FailOn, ReportArgs};
+use crate::args::{CheckArgs, CheckCommand, CheckFormat, ReportArgs};
+use crate::fail_on::FailOn;
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::settings::Settings;
@@ -42,7 +43,8 @@ pub fn run(args: &CheckCommand) -> Result<bool, Failure> {
         CheckFormat::Human => {
             let page = diagnosis_text(&report.model, found, &report.model_findings);
             let advice: String = advice.iter().map(|(goal, found)| advice_text(*goal, found)).collect();
-            page + &advice + &report.comparison.as_ref().map_or_else(String::new, |c| c.to_text())
+            page + &advice
+                + &report.comparison.as_ref().map_or_else(String::new, eigenbody_report::Comparison::to_text)
         }
         CheckFormat::Json => json(report.to_json())?,
         CheckFormat::Sarif => json(report.to_sarif())?,
@@ -94,7 +96,7 @@ fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
         seed: args.seed.or(settings.seed).unwrap_or(default.seed),
         ..default
     };
-    let drive = drive(&args.gains, &loaded)?;
+    let drive = drive(&settings.drive(&args.gains), &loaded)?;
     let question = Question { reduction, metric, effort, limits: limits(args, &settings)?, drive };
     let bar = progress();
     let found = diagnose(&loaded.model, &question, |evaluated| bar.inc(evaluated as u64));

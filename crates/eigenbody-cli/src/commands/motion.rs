@@ -170,6 +170,12 @@ impl<'m> Recorder<'m> {
         self.growing.push(&row)
     }
 
+    /// The input was bad: nothing is left.
+    pub fn discard(self) {
+        self.bar.finish_and_clear();
+        self.growing.discard();
+    }
+
     /// A line for the user, above the progress bar.
     pub fn say(&self, line: &str) {
         self.bar.suspend(|| eprintln!("{line}"));

@@ -23,7 +23,15 @@ pub fn run(args: &TrackArgs) -> Result<Ending, Failure> {
     let mut recorder =
         Recorder::new(&loaded.model, &args.model.model, reduction, &quantities, has_velocities, &args.rows)?;
     let mut rows = 0u64;
-    while let Some(row) = log.next_row()? {
+    loop {
+        let row = match log.next_row() {
+            Ok(Some(row)) => row,
+            Ok(None) => break,
+            Err(error) => {
+                recorder.discard();
+                return Err(error.into());
+            }
+        };
         let state = State { t: row.t, q: row.q, v: row.v.unwrap_or_default() };
         recorder.record(&state, log.progress())?;
         rows += 1;

@@ -95,7 +95,7 @@ fn read_text(text: String, path: &Path, options: &SdfOptions) -> Result<Loaded, 
     let notes = cut.iter().map(note).collect();
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
-    Ok(Loaded { notes, closures, ..Loaded::new(model, file_name, kind, places) })
+    Ok(Loaded { closures, notes, ..Loaded::new(model, file_name, kind, places) })
 }
 
 /// A closure, unless its joint has an axis without a direction.

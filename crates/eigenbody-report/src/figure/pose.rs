@@ -20,6 +20,8 @@ const EDGE: f64 = 44.0;
 const SHOWN: usize = 6;
 /// Least share of a joint with an arrow.
 const LEAST: f64 = 0.02;
+/// A part smaller than this against the whole is seen from near.
+const NEAR: f64 = 0.3;
 /// How far the farthest point of the robot moves, against the picture.
 const STRIDE: f64 = 0.12;
 /// Colour of the mode.
@@ -106,10 +108,14 @@ pub fn scene(portrait: &Portrait, mode: Option<&ModePlace>) -> Scene {
         View::from("from the front, left and above", unit([0.78, 0.55, 0.36])),
         View::from("from where it is widest", thinnest(&points)),
     ];
+    // A mode of a small part is seen from near.
+    let part = near(portrait, &listed).filter(|part| reach(part) < NEAR * reach(&points));
     for (k, view) in views.iter().enumerate() {
         let left = CELL * k as f64;
-        let paper = Paper::around(view, &points, left, 16.0);
-        scene.text((left + 0.5 * CELL, 16.0), Anchor::Middle, 13.0, view.name);
+        let near = part.as_ref().filter(|_| k == 1);
+        let paper = Paper::around(view, near.unwrap_or(&points), left, 16.0);
+        scene.window((left, 24.0), CELL, CELL - 4.0);
+        let name = if near.is_some() { "the joints that move most, from near" } else { view.name };
         if let Some(mode) = mode {
             moved(&mut scene, &paper, portrait, mode);
         }
@@ -119,6 +125,8 @@ pub fn scene(portrait: &Portrait, mode: Option<&ModePlace>) -> Scene {
                 arrow(&mut scene, &paper, portrait, mode, k, number + 1);
             }
         }
+        scene.close_window();
+        scene.text((left + 0.5 * CELL, 16.0), Anchor::Middle, 13.0, name);
     }
     for (number, &k) in listed.iter().enumerate() {
         let at = (40.0 + CELL * (number % 2) as f64, CELL + 34.0 + 22.0 * (number / 2) as f64);
@@ -143,6 +151,26 @@ fn largest(mode: &ModePlace) -> Vec<usize> {
         .filter(|&(place, k)| place == 0 || mode.shares[k] >= LEAST)
         .map(|(_, k)| k)
         .collect()
+}
+
+/// The bodies of joints with arrows, those that carry them and those that they carry.
+fn near(portrait: &Portrait, listed: &[usize]) -> Option<Vec<Vec3>> {
+    let bodies = &portrait.bodies;
+    let moved: Vec<usize> = listed.iter().filter_map(|&k| portrait.dofs.get(k)).map(|dof| dof.body).collect();
+    let own = moved.iter().flat_map(|&i| [i].into_iter().chain(bodies.get(i).and_then(|b| b.parent)));
+    let carried = (0..bodies.len()).filter(|&i| bodies[i].parent.is_some_and(|p| moved.contains(&p)));
+    let points: Vec<Vec3> = own.chain(carried).flat_map(|i| [bodies[i].origin, bodies[i].centre]).collect();
+    (points.len() > 2 && reach(&points) > 0.0).then_some(points)
+}
+
+/// The largest side of a box around points.
+fn reach(points: &[Vec3]) -> f64 {
+    let side = |i: usize| {
+        let ends =
+            points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[i]), h.max(p[i])));
+        ends.1 - ends.0
+    };
+    (0..3).map(side).fold(0.0, f64::max)
 }
 
 /// The direction along which points are spread least.

@@ -84,6 +84,18 @@ impl Scene {
         );
     }
 
+    /// What follows is seen within a rectangle only, until [`close_window`](Self::close_window).
+    pub fn window(&mut self, (x, y): (f64, f64), width: f64, height: f64) {
+        let at = format!("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", px(x), px(y), px(width), px(height));
+        let view = format!("{} {} {} {}", px(x), px(y), px(width), px(height));
+        let _ = writeln!(self.body, "<svg {at} viewBox=\"{view}\" overflow=\"hidden\">");
+    }
+
+    /// Ends a window.
+    pub fn close_window(&mut self) {
+        self.body.push_str("</svg>\n");
+    }
+
     /// A filled rectangle without an edge.
     pub fn fill(&mut self, (x, y): (f64, f64), width: f64, height: f64, colour: &str) {
         let _ = writeln!(
@@ -172,10 +184,8 @@ impl Scene {
         }
     }
 
-    /// The drawing as a part of an HTML page: without a background, colours by the page's custom properties (see [`themed`]), `about` for
-    /// readers that do not see.
-    ///
-    /// [`themed`]: super::style::themed
+    /// The drawing as a part of an HTML page: without a background, colours by the page's custom properties (`--ink`, `--blue`, ..), `about`
+    /// for readers that do not see.
     pub fn inline(&self, title: &str, about: &str) -> String {
         let Self { width, height, body } = self;
         let quoted = |text: &str| escape(text).replace('"', "&quot;");

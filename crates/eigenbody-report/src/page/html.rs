@@ -49,7 +49,8 @@ impl Html {
     pub fn element(tag: &'static str, attributes: &[(&'static str, &str)], inner: Self) -> Self {
         let attributes: String =
             attributes.iter().map(|(name, value)| format!(" {name}=\"{}\"", escape(value))).collect();
-        Self(format!("<{tag}{attributes}>{}</{tag}>", inner.0))
+        let Self(inner) = inner;
+        Self(format!("<{tag}{attributes}>{inner}</{tag}>"))
     }
 
     /// An element of words.
@@ -59,7 +60,8 @@ impl Html {
 
     /// More of it.
     pub fn push(&mut self, more: Self) {
-        self.0.push_str(&more.0);
+        let Self(more) = more;
+        self.0.push_str(&more);
     }
 
     /// The same, and more.

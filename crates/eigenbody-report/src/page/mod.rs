@@ -71,6 +71,7 @@ impl Page {
         let main = [
             section("findings", "Findings", prose::findings(&self.report)),
             section("numbers", "Numbers", numbers::summary(self)),
+            section("steps", "Time step and gains", numbers::stepping(self.report.stepping.as_ref())),
             section("worst", "Worst configurations", pictures::worst(self)),
             section("spectrum", "Spectrum", pictures::spectrum(self)),
             section("matrix", "Matrix", pictures::matrices(self)),
@@ -82,10 +83,10 @@ impl Page {
             .then(Html::element("main", &[], Html::all(main)))
             .then(prose::footer());
         format!(
-            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n\
-             <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n\
-             <meta name=\"color-scheme\" content=\"light dark\">\n\
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\"/>\n\
+             <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"/>\n\
+             <meta name=\"color-scheme\" content=\"light dark\"/>\n\
              {}\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
             Html::words("title", title).into_string(),
             include_str!("style.css"),

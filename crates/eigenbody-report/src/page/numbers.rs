@@ -64,8 +64,17 @@ pub(super) fn summary(page: &Page) -> Html {
             .then(Html::text(" digits lost."));
         whole.push(Html::element("p", &[], predicted));
     }
-    if let Some(found) = report.stepping.as_ref().filter(|found| found.passive) {
-        whole.push(stepping(found));
+    if !report.sensitivities.is_empty() {
+        let rows = report.sensitivities.iter().map(|one| {
+            vec![
+                Html::text(format!("{} of {}", one.parameter, one.of)),
+                data("", Some(one.value), ""),
+                data("", Some(one.against), ""),
+                data("", Some(one.rate), ""),
+            ]
+        });
+        let headings = ["parameter", "is", "a change of", "changes log κ by"];
+        whole.push(table("What moves κ most where it is worst", &headings, rows));
     }
     for (k, motion) in report.null_motions.iter().enumerate() {
         let rows = motion.iter().map(|rate| vec![Html::text(&rate.joint), data("", Some(rate.rate), "")]);
@@ -74,13 +83,71 @@ pub(super) fn summary(page: &Page) -> Html {
     whole
 }
 
-/// What to add.
-pub(super) fn advice(advice: &AdviceReport) -> Html {
-    let goal = match advice.measure {
-        "kappa" => "κ at most",
-        "step" => "steps (s) of",
-        _ => "λmin at least",
+/// The largest stable step of each integrator, and the gains that joints bear at the step that is wanted.
+pub(super) fn stepping(found: Option<&SteppingReport>) -> Html {
+    let Some(found) = found else {
+        return Html::words("p", "Nothing holds or drives a joint: no step is asked of it.");
     };
+    if !found.passive {
+        return Html::words("p", "A stiffness or damping is below zero: no step is stable.");
+    }
+    let asked = match found.step {
+        Some(step) => Html::text("Asked for: ")
+            .then(data("", Some(step), ""))
+            .then(Html::text(format!(" s, {}.", found.integrator))),
+        None => Html::text(format!("No step is asked for; {}.", found.integrator)),
+    };
+    let mut whole = Html::element("p", &[], asked);
+    let rows = found.limits.iter().map(|limit| {
+        let pulls: Vec<String> = limit
+            .joints
+            .iter()
+            .take(3)
+            .map(|part| format!("{} {:.0}%", part.joint, 100.0 * part.share))
+            .collect();
+        vec![
+            Html::text(limit.integrator),
+            data("", limit.largest, "without limit"),
+            data("", Some(limit.stiffness), ""),
+            data("", Some(limit.damping), ""),
+            Html::text(pulls.join(", ")),
+        ]
+    });
+    let headings =
+        ["integrator", "largest step (s)", "of (K, H) (1/s²)", "of (D, H) (1/s)", "in the motion that grows"];
+    whole.push(table("The largest stable step over the joint limits", &headings, rows));
+    if found
+        .joints
+        .iter()
+        .any(|joint| joint.largest_kp.is_some() || joint.stiffness != 0.0 || joint.damping != 0.0)
+    {
+        let rows = found.joints.iter().map(|joint| {
+            vec![
+                Html::text(&joint.joint),
+                data("", Some(joint.stiffness), ""),
+                data("", Some(joint.damping), ""),
+                data("", Some(joint.inertia), ""),
+                data("", joint.largest_kp, "–"),
+                data("", joint.largest_kd, "–"),
+            ]
+        });
+        let headings = ["joint", "kp it has", "kd it has", "least inertia", "largest kp", "largest kd"];
+        let gains = table("Gains of each joint, and what it bears alone at that step", &headings, rows);
+        let summary = Html::words("summary", "Gains, joint by joint");
+        whole.push(Html::element("details", &[], summary.then(gains)));
+    }
+    whole
+}
+
+/// What to change: armature, one link, a limit.
+pub(super) fn advice(advice: &AdviceReport) -> Html {
+    let wanted = significant(advice.wanted, 4);
+    let goal = match advice.measure {
+        "kappa" => format!("κ of at most {wanted}"),
+        "lambda_min" => format!("λmin of at least {wanted} kg m²"),
+        _ => format!("a stable step of {wanted} s"),
+    };
+    let mut whole = Html::words("h3", format!("What gives {goal} in every configuration"));
     let rows = advice.added.iter().filter(|added| added.added > 0.0).map(|added| {
         vec![
             Html::text(&added.joint),
@@ -89,71 +156,45 @@ pub(super) fn advice(advice: &AdviceReport) -> Html {
             data("", Some(100.0 * added.inflation), ""),
         ]
     });
-    let caption =
-        format!("The least armature for {goal} {} in every configuration", significant(advice.wanted, 4));
-    let mut whole = Html::words("h3", "Armature").then(table(
-        &caption,
-        &["joint", "has (kg m², kg)", "add", "% of its own inertia"],
-        rows,
-    ));
+    let rows: Vec<Vec<Html>> = rows.collect();
+    if rows.is_empty() {
+        whole.push(Html::words(
+            "p",
+            if advice.reached.is_some() { "No armature is needed." } else { "No armature does." },
+        ));
+    } else {
+        let headings = ["joint", "has (kg m², kg)", "add", "% of its own inertia"];
+        whole.push(table("The least armature", &headings, rows));
+    }
     if !advice.links.is_empty() {
         let rows = advice.links.iter().map(|link| {
-            let trace = |inertia: &[f64; 6]| Some(inertia[..3].iter().sum());
+            let [xx, yy, zz, ..] = link.added_inertia;
+            let diagonal = [xx, yy, zz].map(|x| significant(x, 3).replace('-', "−")).join(", ");
             vec![
                 Html::text(&link.link),
                 data("", Some(link.mass), ""),
                 data("", Some(link.added_mass), ""),
-                data("", trace(&link.inertia), ""),
-                data("", trace(&link.added_inertia), ""),
+                Html::text(diagonal),
+                data("", Some(link.reached), ""),
             ]
         });
-        let headings = ["link", "mass (kg)", "add", "trace of its inertia (kg m²)", "add"];
-        whole.push(table("Or matter about the centre of mass of one link", &headings, rows));
+        let headings = ["link", "mass (kg)", "add (kg)", "add xx, yy, zz (kg m²)", "reaches"];
+        whole.push(table("Or more inertia for one link", &headings, rows));
     }
     if !advice.limits.is_empty() {
         let rows = advice.limits.iter().map(|limit| {
+            let range =
+                |[low, high]: [f64; 2]| Html::text(format!("{low:.4} to {high:.4}").replace('-', "−"));
             vec![
                 Html::text(&limit.joint),
-                data("", Some(limit.kept[0]), ""),
-                data("", Some(limit.kept[1]), ""),
+                range(limit.range),
+                range(limit.kept),
                 data("", Some(100.0 * limit.lost), ""),
+                data("", Some(limit.reached), ""),
             ]
         });
-        let headings = ["joint", "from (rad, m)", "to", "% of its range lost"];
+        let headings = ["joint", "range (rad, m)", "keep", "% lost", "reaches"];
         whole.push(table("Or a limit on one joint", &headings, rows));
-    }
-    whole
-}
-
-/// Stable steps, and what joints bear.
-fn stepping(found: &SteppingReport) -> Html {
-    let rows = found.limits.iter().map(|limit| {
-        let joints: Vec<&str> = limit.joints.iter().take(2).map(|pull| pull.joint.as_str()).collect();
-        vec![
-            Html::text(limit.integrator),
-            data("", limit.largest, "without limit"),
-            Html::text(if limit.largest.is_some() { joints.join(", ") } else { String::new() }),
-        ]
-    });
-    let headings = ["method", "largest stable step (s)", "what grows beyond it"];
-    let mut whole =
-        table("Time steps, with the stiffness, damping and gains that are known", &headings, rows);
-    if let Some(step) = found.step {
-        let rows = found.joints.iter().map(|joint| {
-            vec![
-                Html::text(&joint.joint),
-                data("", Some(joint.stiffness), ""),
-                data("", Some(joint.damping), ""),
-                data("", Some(joint.inertia), ""),
-                data("", joint.largest_kp, "any"),
-                data("", joint.largest_kd, "any"),
-            ]
-        });
-        let caption =
-            format!("Gains that one joint bears alone at {} s, {}", significant(step, 4), found.integrator);
-        let headings =
-            ["joint", "stiffness", "damping", "least inertia, others free", "largest kp", "largest kd"];
-        whole.push(table(&caption, &headings, rows));
     }
     whole
 }

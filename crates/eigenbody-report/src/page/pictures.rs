@@ -16,7 +16,9 @@ const LISTED: usize = 400;
 
 fn figure(scene: &Scene, title: &str, about: &str, caption: &str) -> Html {
     let drawing = Html::drawing(scene, title, about);
-    Html::element("figure", &[], drawing.then(Html::words("figcaption", caption))).then(Html::fixed("\n"))
+    // On a narrow screen drawings scroll by themselves, also by keyboard.
+    Html::element("figure", &[("tabindex", "0")], drawing.then(Html::words("figcaption", caption)))
+        .then(Html::fixed("\n"))
 }
 
 fn names(portrait: &Portrait) -> Vec<String> {
@@ -39,6 +41,7 @@ pub(super) fn worst(page: &Page) -> Html {
                 .carriers
                 .iter()
                 .take(5)
+                .filter(|part| part.share >= 0.005)
                 .map(|part| format!("{} {:.0}%", part.name, 100.0 * part.share))
                 .collect();
             if !carriers.is_empty() {
@@ -70,7 +73,7 @@ fn picture(worst: &WorstPicture, what: &str, mode: &ModePlace) -> Html {
         .collect();
     let about = format!("Two drawings of the robot. {title}: {}.", parts.join(", "));
     figure(&pose::scene(portrait, Some(mode)), &title, &about, &format!("{title}.")).then(numbers::mode(
-        &format!("{title}, joint by joint"),
+        &format!("{} mode, joint by joint", sentence(what)),
         mode,
         &names(portrait),
     ))
@@ -103,7 +106,7 @@ pub(super) fn spectrum(page: &Page) -> Html {
             y: Axis::log(format!("λ, {}", if page.unit.is_empty() { "1" } else { page.unit })),
             curves,
         };
-        let plot = Plot { panels: vec![panel], columns: 2 };
+        let plot = Plot { panels: vec![panel], columns: 1 };
         let about = "A plot of all eigenvalues in ascending order, on a logarithmic axis; the numbers are in the table below.";
         whole.push(figure(
             &plot.scene(),

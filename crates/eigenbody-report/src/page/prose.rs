@@ -2,24 +2,24 @@
 
 use super::html::{Html, escape, table};
 use super::{Page, heading};
-use crate::diagnosis::{DiagnosisReport, FindingReport, PlaceReport, State};
+use crate::diagnosis::{DiagnosisReport, FindingReport, PlaceReport, RemarkReport, State};
 use crate::number::significant;
 use crate::text::count;
+
+/// Remarks from which on they are folded away.
+const FOLDED: usize = 8;
 
 /// What the page is about, and where to go.
 pub(super) fn lead(page: &Page) -> Html {
     let report = &page.report;
-    let name = if page.robot.is_empty() || report.model.contains(&page.robot) {
-        String::new()
-    } else {
-        format!("{}: ", page.robot)
-    };
+    let name = if page.robot.is_empty() { &report.model } else { &page.robot };
+    let from = if *name == report.model { String::new() } else { format!("{}: ", report.model) };
     let found = match report.findings.len() {
         0 => "nothing found".to_owned(),
         n => count(n, "finding", "findings"),
     };
     let line = format!(
-        "{name}{}, {}, {} base, {} kg; {found} in {} configurations within the joint limits.",
+        "{from}{}, {}, {} base, {} kg; {found} in {} configurations within the joint limits.",
         count(page.bodies, "moving body", "moving bodies"),
         count(report.dofs, "degree of freedom", "degrees of freedom"),
         page.base,
@@ -29,6 +29,7 @@ pub(super) fn lead(page: &Page) -> Html {
     let links = [
         ("#findings", "Findings"),
         ("#numbers", "Numbers"),
+        ("#steps", "Time step and gains"),
         ("#worst", "Worst configurations"),
         ("#spectrum", "Spectrum"),
         ("#matrix", "Matrix"),
@@ -39,7 +40,7 @@ pub(super) fn lead(page: &Page) -> Html {
         Html::element("li", &[], Html::element("a", &[("href", to)], Html::text(text)))
     };
     let list = Html::element("ul", &[], Html::all(links.into_iter().map(link)));
-    Html::words("h1", format!("How well-conditioned is {}?", report.model))
+    Html::words("h1", format!("How well-conditioned is {name}?"))
         .then(Html::element("p", &[("class", "lead")], Html::text(line)))
         .then(Html::element("nav", &[("aria-label", "Sections")], list))
 }
@@ -64,19 +65,27 @@ pub(super) fn findings(report: &DiagnosisReport) -> Html {
         whole.push(Html::words("pre", comparison.to_text().trim()));
     }
     if !report.remarks.is_empty() {
-        let rows = report.remarks.iter().map(|remark| {
-            vec![
-                Html::words("code", remark.code),
-                Html::text(remark.place.as_ref().map_or_else(String::new, line)),
-                Html::text(&remark.message),
-            ]
-        });
-        let caption = format!("{} on the file itself", count(report.remarks.len(), "finding", "findings"));
-        let listed = table(&caption, &["kind", "line", "what"], rows);
-        whole.push(Html::words("h3", "The file"));
-        whole.push(listed);
+        whole.push(remarks(&report.remarks));
     }
     whole
+}
+
+/// What is suspicious about the file; many are folded away.
+fn remarks(remarks: &[RemarkReport]) -> Html {
+    let rows = remarks.iter().map(|remark| {
+        vec![
+            Html::words("code", remark.code),
+            Html::text(remark.place.as_ref().map_or_else(String::new, line)),
+            Html::text(&remark.message),
+        ]
+    });
+    let caption = format!("{} on the file itself", count(remarks.len(), "finding", "findings"));
+    let listed = Html::element("div", &[("class", "told")], table(&caption, &["kind", "line", "what"], rows));
+    let heading = Html::words("h3", "The file");
+    match remarks.len() > FOLDED {
+        false => heading.then(listed),
+        true => heading.then(Html::element("details", &[], Html::words("summary", caption).then(listed))),
+    }
 }
 
 fn finding(found: &FindingReport, state: Option<State>) -> Html {
@@ -88,10 +97,10 @@ fn finding(found: &FindingReport, state: Option<State>) -> Html {
     let what = format!("{}[{}]{news}: {}", found.severity, found.id, found.message);
     let mut inner = Html::element("p", &[("class", "what")], Html::text(what));
     if !found.joints.is_empty() {
-        let place = found
-            .place
-            .as_ref()
-            .map_or_else(String::new, |place| format!(", {}:{}", place.file, line(place)));
+        let place = found.place.as_ref().map_or_else(String::new, |place| {
+            let name = place.file.rsplit(['/', '\\']).next().unwrap_or(&place.file);
+            format!(" ({name}:{})", line(place))
+        });
         inner.push(Html::words("p", format!("Joints: {}{place}", found.joints.join(", "))));
     }
     inner.push(Html::element(

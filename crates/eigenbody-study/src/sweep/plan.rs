@@ -154,7 +154,8 @@ impl Plan {
                 }
                 let n = loaded.model.nv() as f64;
                 dearest = dearest.max(if n <= 200.0 { n * n } else { 200.0 * n });
-                is_mixed |= (0..loaded.model.nv()).any(|d| loaded.model.is_translation(d));
+                let rows = plan.reduction(&case, &loaded).dofs(&loaded.model);
+                is_mixed |= rows.into_iter().any(|d| loaded.model.is_translation(d));
             }
         }
         plan.size = ((COST_OF_CHUNK / (COST_OF_CASE + 60.0 * dearest)) as u64).clamp(1, LARGEST);
@@ -265,12 +266,16 @@ impl Plan {
         Ok(Chunk { number: 0, rows })
     }
 
-    fn row(&self, case: &Case, robot: &Loaded) -> Result<Vec<Cell>, SweepError> {
+    fn reduction(&self, case: &Case, robot: &Loaded) -> Reduction {
         let group = &self.spec.groups[case.group];
-        let reduction = Reduction {
+        Reduction {
             mimic: group.mimic.unwrap_or(robot.mimic),
             base: case.floating && (group.reduced || robot.is_family()),
-        };
+        }
+    }
+
+    fn row(&self, case: &Case, robot: &Loaded) -> Result<Vec<Cell>, SweepError> {
+        let reduction = self.reduction(case, robot);
         let q = robot
             .configuration(&case.at, reduction.mimic)
             .map_err(|source| SweepError::Format { case: case.number, source: Box::new(source) })?;

@@ -7,7 +7,7 @@
 //! So κ depends on the metric B as it does for a tree, and not on the choice of N.
 
 use super::{Conditioning, Question, conditioning, ratio};
-use crate::dynamics::{BASE, Closure, closure_jacobian, closure_residual};
+use crate::dynamics::{BASE, Closure, Reduction, closure_jacobian, closure_residual};
 use crate::error::{Error, InputError};
 use crate::matrix::Matrix;
 use crate::model::{Model, Random};
@@ -75,7 +75,7 @@ pub fn close_loops(
     model: &Model<f64>,
     q: &[f64],
     closures: &[Closure],
-    reduction: crate::Reduction,
+    reduction: Reduction,
 ) -> Result<ClosedAt, Error> {
     let coupling = model.coupling().filter(|_| reduction.mimic);
     let mut q = q.to_vec();
@@ -117,13 +117,13 @@ pub fn close_loops(
 ///
 /// Method: null space of A B^-½ by Householder reflections with pivoting, [`RANK_TOLERANCE`]. O(n³); allocates.
 ///
-/// Errors: as [`Reduction::mass_matrix`](crate::Reduction::mass_matrix) and [`Metric::weights`];
+/// Errors: as [`Reduction::mass_matrix`](Reduction::mass_matrix) and [`Metric::weights`];
 /// [`InputError::LoopHoldsBase`] if the base is removed and a loop ties it to the world.
 pub fn allowed_motions(
     model: &Model<f64>,
     q: &[f64],
     closures: &[Closure],
-    reduction: crate::Reduction,
+    reduction: Reduction,
     metric: &Metric<f64>,
 ) -> Result<Allowed, Error> {
     let H = reduction.mass_matrix(model, q)?;
@@ -190,7 +190,7 @@ fn rows(
     model: &Model<f64>,
     q: &[f64],
     closures: &[Closure],
-    reduction: crate::Reduction,
+    reduction: Reduction,
 ) -> Result<Matrix<f64>, Error> {
     let A = coupled(&closure_jacobian(model, q, closures)?, model, reduction);
     if !(reduction.base && model.has_floating_base()) {
@@ -203,7 +203,7 @@ fn rows(
 }
 
 /// A G: over the independent DoFs where mimic joints follow.
-fn coupled(A: &Matrix<f64>, model: &Model<f64>, reduction: crate::Reduction) -> Matrix<f64> {
+fn coupled(A: &Matrix<f64>, model: &Model<f64>, reduction: Reduction) -> Matrix<f64> {
     match model.coupling().filter(|_| reduction.mimic) {
         None => A.clone(),
         Some(coupling) => {
