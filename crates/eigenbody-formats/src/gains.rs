@@ -4,6 +4,7 @@ use crate::error::{FormatError, shortened};
 use crate::expression::{ExpressionError, Reader};
 use crate::suggest::did_you_mean;
 use eigenbody::Model;
+use eigenbody::model::JointInfo;
 
 /// The gains that a text names, one a DoF of the model, none where it says nothing: `100`, or `elbow=100, wrist=2*5`.
 ///
@@ -34,7 +35,7 @@ pub fn gains(text: &str, model: &Model<f64>) -> Result<Vec<Option<f64>>, FormatE
         });
         let Some(joint) = named.max_by_key(|joint| joint.name().len()) else {
             let name = rest.split_once('=').map_or(rest, |(name, _)| name).trim();
-            let names = model.joints().iter().map(|joint| joint.name());
+            let names = model.joints().iter().map(JointInfo::name);
             let (name, hint) = (shortened(name), did_you_mean(name, names));
             return Err(reader.error(start, format!("no moving joint is named '{name}'{hint}")).into());
         };

@@ -11,7 +11,7 @@ use eigenbody_study::diagnosis::{Diagnosis, Drive, Question, Stepping, diagnose}
 fn springs(model: &Model<f64>, kp: f64, kd: f64) -> Vec<Spring> {
     let spring = |d: usize| Spring {
         name: model.dof_name(d),
-        source: if d % 2 == 0 { SpringSource::Actuator } else { SpringSource::Joint },
+        source: if d.is_multiple_of(2) { SpringSource::Actuator } else { SpringSource::Joint },
         arms: vec![(d, 1.0)],
         stiffness: kp * (1.0 + d as f64),
         damping: kd / (1.0 + d as f64),
@@ -97,7 +97,7 @@ fn growth(model: &Model<f64>, springs: &Impedance, rest: &[f64], integrator: Int
     for _ in 0..800 {
         step(model, springs, rest, integrator, h, (&mut q, &mut v));
         largest = largest.max(size(&q, &v));
-        if !(largest < 1e-3) {
+        if largest >= 1e-3 || largest.is_nan() {
             break;
         }
     }
@@ -119,7 +119,7 @@ fn ninety_five_percent_of_the_step_is_stable_and_a_hundred_and_five_is_not() {
                     |part: f64| growth(&model, &impedance, &limit.at, limit.integrator, part * limit.step);
                 let (below, above) = (grown(0.95), grown(1.05));
                 let what = format!("{} {kp} {kd} {:?} {}", model.name(), limit.integrator, limit.step);
-                assert!(below < 2e4 && !(above < 3e4), "{what}: {below} {above}");
+                assert!(below < 2e4 && (above >= 3e4 || above.is_nan()), "{what}: {below} {above}");
                 tried += 1;
             }
         }

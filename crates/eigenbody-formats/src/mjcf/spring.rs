@@ -53,12 +53,14 @@ enum Rule {
     Ratio(f64),
 }
 
+/// Positions of joints, their DoFs, moment arms.
+type Arms = Vec<(usize, usize, f64)>;
+
 /// A spring on joints that are not built yet.
 struct Found {
     name: String,
     source: SpringSource,
-    /// Position of the joint, its DoF, moment arm.
-    arms: Vec<(usize, usize, f64)>,
+    arms: Arms,
     stiffness: f64,
     damping: f64,
     rule: Rule,
@@ -125,7 +127,7 @@ impl Springs {
         element: &Element,
         name: String,
         source: SpringSource,
-        arms: Option<Vec<(usize, usize, f64)>>,
+        arms: Option<Arms>,
         (stiffness, damping, rule): (f64, f64, Rule),
     ) {
         match arms {
@@ -139,7 +141,7 @@ impl Springs {
         element: &Element,
         sections: &Sections<'_>,
         joints: &[JointSpec<f64>],
-        tendons: &HashMap<&str, Option<Vec<(usize, usize, f64)>>>,
+        tendons: &HashMap<&str, Option<Arms>>,
     ) -> Result<(), Fault> {
         let styled = sections.defaults.styled_as(element, MAIN, &ACTUATORS)?;
         let Feedback { gain, bias, known } = Feedback::read(&styled)?;
@@ -165,7 +167,7 @@ impl Springs {
         let values = (stiffness, damping, rule);
         for known in &found {
             let arm = |dof: usize, arm: f64| (known.joint, dof, arm);
-            let arms: Vec<Vec<(usize, usize, f64)>> = match joints[known.joint].kind {
+            let arms: Vec<Arms> = match joints[known.joint].kind {
                 Joint::Spherical if element.tag == "orientation" => {
                     (0..3).map(|dof| vec![arm(dof, 1.0)]).collect()
                 }

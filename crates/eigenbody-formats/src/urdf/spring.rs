@@ -2,6 +2,7 @@
 
 use super::element::{Element, Fault};
 use eigenbody::Model;
+use eigenbody::model::JointInfo;
 use eigenbody::stability::{Spring, SpringSource};
 
 /// The dampers of a file's moving joints, one a degree of freedom.
@@ -12,7 +13,7 @@ pub(super) fn springs(robot: Element<'_, '_>, model: &Model<f64>) -> Result<Vec<
         let damping = dynamics.number("damping")?.unwrap_or(0.0);
         let name = element.attribute("name")?;
         let joint = model.joints().iter().find(|joint| joint.name() == name);
-        let dofs = joint.filter(|_| damping != 0.0).map_or(0..0, |joint| joint.dofs());
+        let dofs = joint.filter(|_| damping != 0.0).map_or(0..0, JointInfo::dofs);
         springs.extend(dofs.map(|d| Spring {
             name: name.to_owned(),
             source: SpringSource::Joint,

@@ -123,7 +123,7 @@ impl<T: Scalar> Model<T> {
         let Some(body) = found else {
             return Err(InputError::Length { what: "links", expected: self.links.len(), found: link });
         };
-        let RigidInertia { m, h, I } = inertia.map(|x| x.to_f64());
+        let RigidInertia { m, h, I } = inertia.map(Real::to_f64);
         let numbers = [m, h.x, h.y, h.z, I.xx, I.yy, I.zz, I.xy, I.xz, I.yz];
         if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
             return Err(InputError::NotFinite { what: "inertia", index });
@@ -143,7 +143,7 @@ impl<T: Scalar> Model<T> {
         let Some(info) = self.joints.get_mut(joint).filter(|info| info.kind.nq() == 1) else {
             return Err(InputError::Length { what: "joints", expected: count, found: joint });
         };
-        if limits.is_some_and(|(lower, upper)| !(lower <= upper)) {
+        if limits.is_some_and(|(l, u)| l.partial_cmp(&u).is_none_or(std::cmp::Ordering::is_gt)) {
             return Err(InputError::NotFinite { what: "limits", index: joint });
         }
         info.limits = limits;

@@ -18,7 +18,7 @@ use crate::spectrum::eigen;
 pub const IMAGINARY_LIMIT: f64 = 2.0 * std::f64::consts::SQRT_2;
 
 /// Stable for hd up to this without stiffness, and at great damping.
-pub const REAL_LIMIT: f64 = 2.785_293_563_405_281_6;
+pub const REAL_LIMIT: f64 = 2.785_293_563_405_281;
 
 pub(super) fn largest_step(H: &Matrix<f64>, impedance: &Impedance) -> Result<StepLimit, Error> {
     let n = H.rows();
