@@ -9,21 +9,22 @@ use super::{Group, Subject};
 use crate::StudyError;
 use crate::estimators::pivot_ratio;
 use crate::simulate::{
-    Algorithm, Controller, DORMAND_PRINCE, Forces, Method, Report, Simulation, State, Steps, Trajectory,
-    joint_springs,
+    Algorithm, Controller, DORMAND_PRINCE, Forces, Method, Simulation, Steps, Trajectory, joint_springs,
 };
 use eigenbody::search::{Effort, survey};
 use eigenbody::spectrum::sturm::{Diagonal, Pencil};
 use eigenbody::spectrum::{Precision, Tracker, eigenvalues, extremes};
 use eigenbody::{Family, Metric, Model};
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// Rows a second.
 const RATE: f64 = 1000.0;
 /// Relative error estimate up to which the engine's own value is a reference.
 const KNOWN: f64 = 1e-13;
+
+/// A motion that takes more steps ends there.
+const MOST_STEPS: u64 = 30_000;
 
 /// A kind of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -220,16 +221,29 @@ fn simulated(
 ) -> (Vec<Vec<f64>>, Option<String>) {
     let mut seen = Vec::new();
     let method = Method::RungeKutta(DORMAND_PRINCE);
-    let outcome = Simulation::new(model, q, v, method, Steps::Adaptive(1e-6), forces, Algorithm::Aba)
-        .and_then(|mut simulation| {
-            simulation.run(long, steps, &mut [], &mut |report| {
-                if let Report::Sample(State { q, .. }) = report {
-                    seen.push(q.clone());
+    let outcome = || -> Result<(), String> {
+        let mut simulation =
+            Simulation::new(model, q, v, method, Steps::Adaptive(1e-6), forces, Algorithm::Aba)
+                .map_err(|error| error.to_string())?;
+        let mut state = simulation.state().clone();
+        for row in 0..steps {
+            let at = long * row as f64 / steps as f64;
+            while simulation.state().t < at {
+                simulation.step(long).map_err(|error| error.to_string())?;
+                if simulation.effort().steps > MOST_STEPS {
+                    return Err(format!(
+                        "more than {MOST_STEPS} steps up to t = {:.3} s",
+                        simulation.state().t
+                    ));
                 }
-                ControlFlow::Continue(())
-            })
-        });
-    (seen, outcome.err().map(|error| error.to_string()))
+            }
+            simulation.at(at, &mut state);
+            seen.push(state.q.clone());
+        }
+        Ok(())
+    };
+    let ended = outcome().err();
+    (seen, ended)
 }
 
 /// Follows one motion.
