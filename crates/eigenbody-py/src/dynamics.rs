@@ -3,6 +3,7 @@
 use crate::array::{Number, Out, Rows, all_single, count};
 use crate::error::Failure;
 use crate::model::{Model, Shared};
+use eigenbody::batch::{Batch, BatchError, Lanes};
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into, gravity_force_into,
     inverse_dynamics_into, mass_matrix_into,
@@ -81,7 +82,7 @@ impl<T: Number> Robot<T> {
 }
 
 /// A precision: which of the robot's two forms computes.
-pub trait Precision: Number {
+pub trait Precision: Number + Lanes {
     fn robot(shared: &Shared) -> &Robot<Self>;
 }
 
@@ -100,13 +101,19 @@ impl Precision for f32 {
 /// An argument: its name, its value, numbers in a row.
 type Argument<'a, 'py> = (&'static str, &'a Bound<'py, PyAny>, usize);
 
+/// A kernel over whole arrays, all with as many rows.
+type Whole<T> = fn(&eigenbody::Model<T>, &[&[T]], &mut [T]) -> Result<(), BatchError>;
+
 /// Applies a kernel to one row or to all rows of a batch, on all cores; a single row stands in for every row of the others.
+///
+/// A batch goes through `whole`, in lanes, if there is such a kernel.
 fn apply<'py, T: Precision>(
     shared: &Shared,
     arguments: &[Argument<'_, 'py>],
     shape: &[usize],
     out: Option<&Bound<'py, PyAny>>,
     kernel: impl Fn(&Robot<T>, &mut Workspaces<T>, &[&[T]], &mut [T]) -> Result<(), Error> + Sync + Send,
+    whole: Option<Whole<T>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
     let mut rows = Vec::with_capacity(arguments.len());
     for (what, value, width) in arguments {
@@ -131,10 +138,21 @@ fn apply<'py, T: Precision>(
         }
         kernel(robot, work, &inputs[..slices.len()], out)
     };
-    out.fill(|out| match count {
-        None => robot.with(|work| row(work, 0, out)).map_err(Failure::from),
-        Some(_) if size == 0 => Ok(()),
-        Some(_) => out.par_chunks_mut(size * GRAIN).enumerate().try_for_each(|(block, out)| {
+    let is_plain = !robot.is_coupled() && !robot.reduction.base;
+    let whole = whole.filter(|_| is_plain && slices.iter().all(|(_, stride)| *stride > 0));
+    out.fill(|out| match (count, whole) {
+        (Some(count), Some(whole)) if count > 0 => {
+            let all: Vec<&[T]> = slices.iter().map(|(all, _)| *all).collect();
+            whole(&robot.model, &all, out).map_err(|error| match error {
+                BatchError::Shape(source) => source.into(),
+                BatchError::Configuration { index, error } => {
+                    Failure::Numbers { row: Some(index), source: error }
+                }
+            })
+        }
+        (None, _) => robot.with(|work| row(work, 0, out)).map_err(Failure::from),
+        (Some(_), _) if size == 0 => Ok(()),
+        (Some(_), _) => out.par_chunks_mut(size * GRAIN).enumerate().try_for_each(|(block, out)| {
             robot.with(|work| {
                 out.chunks_mut(size).enumerate().try_for_each(|(k, out)| {
                     let k = block * GRAIN + k;
@@ -147,12 +165,12 @@ fn apply<'py, T: Precision>(
 
 /// What [`apply`] needs to know of each function.
 macro_rules! in_either_precision {
-    ($shared:expr, [$(($what:literal, $value:expr, $width:expr)),+], $shape:expr, $out:expr, $kernel:expr) => {{
+    ($shared:expr, [$(($what:literal, $value:expr, $width:expr)),+], $shape:expr, $out:expr, $kernel:expr, $whole:expr) => {{
         let arguments = [$(($what, $value, $width)),+];
         Ok(if all_single(&[$($value),+]) {
-            apply::<f32>($shared, &arguments, $shape, $out, $kernel)?
+            apply::<f32>($shared, &arguments, $shape, $out, $kernel, $whole)?
         } else {
-            apply::<f64>($shared, &arguments, $shape, $out, $kernel)?
+            apply::<f64>($shared, &arguments, $shape, $out, $kernel, $whole)?
         })
     }};
 }
@@ -176,7 +194,8 @@ pub fn mass_matrix<'py>(
         [("q", q, model.shared.nq)],
         &[n, n],
         out,
-        |robot, work, input, out| { robot.mass_matrix(work, input[0], out) }
+        |robot, work, input, out| { robot.mass_matrix(work, input[0], out) },
+        Some(|model, input, out| Batch::new(model).mass_matrices(input[0], out))
     )
 }
 
@@ -196,7 +215,8 @@ pub fn inverse_dynamics<'py>(
         out,
         |robot, work, input, out| {
             Ok(inverse_dynamics_into(&robot.model, input[0], input[1], input[2], &mut work.rnea, out)?)
-        }
+        },
+        Some(|model, input, out| Batch::new(model).inverse_dynamics(input[0], input[1], input[2], out))
     )
 }
 
@@ -216,7 +236,8 @@ pub fn forward_dynamics<'py>(
         out,
         |robot, work, input, out| {
             forward_dynamics_into(&robot.model, input[0], input[1], input[2], &mut work.aba, out)
-        }
+        },
+        Some(|model, input, out| Batch::new(model).forward_dynamics(input[0], input[1], input[2], out))
     )
 }
 
@@ -235,7 +256,8 @@ pub fn bias_force<'py>(
         out,
         |robot, work, input, out| {
             Ok(bias_force_into(&robot.model, input[0], input[1], &mut work.rnea, out)?)
-        }
+        },
+        None
     )
 }
 
@@ -246,7 +268,12 @@ pub fn gravity_force<'py>(
 ) -> Result<Bound<'py, PyAny>, Failure> {
     check_free(model)?;
     let (nq, nv) = (model.shared.nq, model.shared.nv);
-    in_either_precision!(&model.shared, [("q", q, nq)], &[nv], out, |robot, work, input, out| {
-        Ok(gravity_force_into(&robot.model, input[0], &mut work.rnea, out)?)
-    })
+    in_either_precision!(
+        &model.shared,
+        [("q", q, nq)],
+        &[nv],
+        out,
+        |robot, work, input, out| { Ok(gravity_force_into(&robot.model, input[0], &mut work.rnea, out)?) },
+        None
+    )
 }
