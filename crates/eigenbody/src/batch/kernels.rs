@@ -171,11 +171,7 @@ fn all_positive<W: Wide>(D: &[W]) -> bool {
 /// The first lane with a bad pivot, and the first of its pivots, tips first.
 #[cold]
 #[inline(never)]
-fn first_bad<W: Wide>(
-    model: &Model<W::Constant>,
-    D: &[W],
-    lanes: usize,
-) -> Option<(usize, Error)> {
+fn first_bad<W: Wide>(model: &Model<W::Constant>, D: &[W], lanes: usize) -> Option<(usize, Error)> {
     let zero = W::Constant::from_f64(0.0);
     let mut buffer = [zero; GROUP];
     for lane in 0..lanes {

@@ -1,8 +1,10 @@
 //! How well-conditioned: κ, κ′, the diagonal ratio, the bracket, the softest and the stiffest mode.
 
 mod at;
+mod measure;
 
 pub use at::{Question, conditioning_at, count_below};
+pub use measure::{Measure, Values};
 
 use crate::error::Error;
 use crate::matrix::Matrix;

@@ -7,10 +7,9 @@
 mod descent;
 mod domain;
 mod evaluate;
-mod measure;
 mod worst;
 
+pub use crate::conditioning::{Measure, Values};
 pub use domain::{Domain, Point};
 pub use evaluate::Evaluator;
-pub use measure::{Measure, Values};
 pub use worst::{Effort, Spread, Survey, survey};
