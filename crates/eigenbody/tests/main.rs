@@ -28,6 +28,7 @@ macro_rules! scalars {
 }
 
 mod allocation;
+mod batch;
 mod conditioning;
 mod dynamics;
 mod error;

@@ -8,13 +8,16 @@
 //! are row-major, one configuration after the other, in the caller's memory. Groups are the same however many threads there are, and so
 //! are the numbers. Every call allocates its workspaces anew: batches of a hundred configurations and more make up for that.
 
-//ENDS
+mod ends;
 mod kernels;
 
+use crate::conditioning::Values;
 use crate::dynamics::{AbaWorkspace, CrbaWorkspace, RneaWorkspace};
 use crate::error::{Error, InputError};
 use crate::model::{Model, check};
 use crate::scalar::{Batched, Scalar, Unit, Wide, WideAlgorithm};
+use crate::spectrum::Metric;
+use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
 use rayon::prelude::*;
 
@@ -55,6 +58,78 @@ pub enum BatchError {
 pub struct Batch<'m, T> {
     model: &'m Model<T>,
     unit: Unit,
+}
+
+impl Batch<'_, f64> {
+    /// λmin and λmax of H x = λ B x in every configuration.
+    ///
+    /// | name | shape | unit |
+    /// |------|-------|------|
+    /// | `q` | k × `nq` | rad, m, unit quaternions |
+    /// | `metric` | B | see [`Metric`] |
+    /// | `accuracy` | relative error allowed in λmin, such as 1e-8 | – |
+    /// | `ends` | k × 2: λmin, λmax | unit of H_dd/B_dd |
+    ///
+    /// Method: [`extreme_eigenvalues`](crate::spectrum::extreme_eigenvalues) side by side; a configuration where n·ε·λmax/λmin exceeds
+    /// `accuracy` goes to the Sturm engine, at some forty times the cost. λmin is zero where that cannot tell it from zero. All degrees of
+    /// freedom take part: mimic joints move freely, a floating base is kept.
+    ///
+    /// Errors: [`BatchError`]; `ends` then holds no result.
+    pub fn extremes(
+        &self,
+        q: &[f64],
+        metric: &Metric<f64>,
+        accuracy: f64,
+        ends: &mut [f64],
+    ) -> Result<(), BatchError> {
+        let count = self.count(q)?;
+        length("ends", ends.len(), 2 * count)?;
+        let mut values = vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; count];
+        self.spectra(q, metric, accuracy, false, &mut values)?;
+        for (ends, values) in ends.chunks_exact_mut(2).zip(&values) {
+            (ends[0], ends[1]) = (values.lambda_min, values.lambda_max);
+        }
+        Ok(())
+    }
+
+    /// λmin, λmax and κ′ of every configuration; κ is [`Values::kappa`].
+    ///
+    /// Shapes and method: as [`extremes`](Self::extremes), twice; one of [`Values`] a configuration. κ′ is infinite where a degree of
+    /// freedom has no inertia. Errors: as there.
+    pub fn conditioning(
+        &self,
+        q: &[f64],
+        metric: &Metric<f64>,
+        accuracy: f64,
+        values: &mut [Values],
+    ) -> Result<(), BatchError> {
+        let count = self.count(q)?;
+        length("values", values.len(), count)?;
+        self.spectra(q, metric, accuracy, true, values)
+    }
+
+    fn spectra(
+        &self,
+        q: &[f64],
+        metric: &Metric<f64>,
+        accuracy: f64,
+        weighted: bool,
+        values: &mut [Values],
+    ) -> Result<(), BatchError> {
+        let Self { model, unit } = *self;
+        model.check_dense().map_err(BatchError::Shape)?;
+        let ones = vec![1.0; model.nv()];
+        let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
+        let (nq, chunk, weights) = (model.nq(), chunk(values.len()), weights.as_slice());
+        let failed: Vec<Option<(usize, Error)>> = chunks(q, chunk * nq)
+            .zip(chunks_mut(values, chunk))
+            .map(|(q, out)| {
+                let kernel = Spectra { q, metric, weights, weighted, accuracy, out };
+                f64::dispatch_wide(unit, Over { model, q, kernel })
+            })
+            .collect();
+        first(failed, chunk)
+    }
 }
 
 impl<'m, T: Lanes> Batch<'m, T> {

@@ -2,9 +2,11 @@
 
 mod at;
 mod closed;
+mod measure;
 
 pub use at::{Question, conditioning_at, count_below};
 pub use closed::{Allowed, ClosedAt, RANK_TOLERANCE, allowed_motions, close_loops, conditioning_closed};
+pub use measure::{Measure, Values};
 
 use crate::error::Error;
 use crate::matrix::Matrix;

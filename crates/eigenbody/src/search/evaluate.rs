@@ -8,7 +8,7 @@
 //! Every vᵀ dH v is twice a gradient of the kinetic energy, O(N). The base needs no term of its own: its motion makes the energy
 //! stationary.
 
-use super::measure::{Measure, Values};
+use crate::conditioning::{Measure, Values};
 use crate::conditioning::{Method, Question, conditioning_at};
 use crate::dynamics::{BASE, GradientWorkspace, Reduction, kinetic_energy_gradient_into, mass_matrix};
 use crate::error::{Error, InputError};

@@ -7,11 +7,10 @@
 mod descent;
 mod domain;
 mod evaluate;
-mod measure;
 mod worst;
 
+pub use crate::conditioning::{Measure, Values};
 pub use descent::{Landscape, descend};
 pub use domain::{Domain, Point};
 pub use evaluate::Evaluator;
-pub use measure::{Measure, Values};
 pub use worst::{Effort, Spread, Survey, sample_points, survey};

@@ -3,7 +3,7 @@
 use super::descent::{Landscape, descend};
 use super::domain::{Domain, Point};
 use super::evaluate::Evaluator;
-use super::measure::{Measure, Values};
+use crate::conditioning::{Measure, Values};
 use crate::dynamics::Reduction;
 use crate::error::Error;
 use crate::model::{Model, Random};

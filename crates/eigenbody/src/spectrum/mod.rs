@@ -2,6 +2,7 @@
 
 mod bisect;
 mod eigen;
+mod ends;
 mod extremes;
 mod metric;
 mod null_space;
@@ -13,6 +14,8 @@ mod tracker;
 mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
+pub(crate) use ends::ends;
+pub use ends::{EndsWorkspace, extreme_eigenvalues, extreme_eigenvalues_into};
 pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
 pub(crate) use extremes::{extreme_values, extremes_from};
 pub use metric::Metric;

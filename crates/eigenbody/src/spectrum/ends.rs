@@ -1,0 +1,290 @@
+//! Both ends of a small dense spectrum, without the rest of it.
+//!
+//! ```text
+//! T = Qᵀ A Q tridiagonal, by Householder reflections from the last row on
+//! q_i = d_i − λ − e_i²/q_(i−1)        pivots of T − λ;  all positive as long as λ < λmin
+//! G = Σ (log q_i)' = −Σ 1/(λ_k − λ)   K = −Σ (log q_i)'' = Σ 1/(λ_k − λ)²
+//! λ ← λ + n/(−G + √((n−1)(n K − G²)))                                      Laguerre's step: never beyond λmin
+//! ```
+//! λmax is −λmin of −A; both ends take their steps together, from 0 below and from a bound above. Laguerre's method converges
+//! cubically and, for a polynomial with real zeros only, from one side: 4 to 15 steps. Parlett, *The Symmetric Eigenvalue Problem* (1980),
+//! §8.  Cost n³ and about 20 n; nothing is decided by comparing values, so that matrices may stand side by side in lanes.
+
+use crate::error::InputError;
+use crate::matrix::Matrix;
+use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+
+/// More steps than any spectrum has needed.
+const MAX_STEPS: usize = 60;
+/// Rows begin at multiples of this, so that columns of every width fit.
+const ALIGN: usize = 4;
+
+/// Room for [`extreme_eigenvalues_into`].
+#[derive(Debug, Clone)]
+pub struct EndsWorkspace<T> {
+    n: usize,
+    stride: usize,
+    /// n × stride: the matrix, both triangles, zero beyond column n. Overwritten.
+    A: Vec<T>,
+    /// stride: a reflection's vector, and the matrix times it.
+    u: Vec<T>,
+    w: Vec<T>,
+    /// n: diagonal and squares of the subdiagonal (the first is zero) of the tridiagonal matrix.
+    d: Vec<T>,
+    e2: Vec<T>,
+}
+
+impl<T: Scalar> EndsWorkspace<T> {
+    /// Room for matrices of n rows.
+    pub fn new(n: usize) -> Self {
+        let stride = n.next_multiple_of(ALIGN);
+        let row = vec![T::ZERO; stride];
+        Self {
+            n,
+            stride,
+            A: vec![T::ZERO; n * stride],
+            u: row.clone(),
+            w: row,
+            d: vec![T::ZERO; n],
+            e2: vec![T::ZERO; n],
+        }
+    }
+
+    /// Row i of the matrix, to be written; at least n long.
+    #[inline(always)]
+    pub(crate) fn row_mut(&mut self, i: usize) -> &mut [T] {
+        &mut self.A[i * self.stride..(i + 1) * self.stride]
+    }
+}
+
+/// λmin and λmax of H x = λ B x, without the other eigenvalues.
+///
+/// | name | shape | unit |
+/// |------|-------|------|
+/// | `H` | n × n, symmetric, positive semidefinite | kg m², kg m, kg |
+/// | `weights` | n, the diagonal of B, positive | see [`Metric`](super::Metric) |
+/// | returned | λmin, λmax | unit of H_dd/B_dd |
+///
+/// Method: Householder reduction, then Laguerre's method from both ends. O(n³), a tenth of [`eigenvalues`](super::eigenvalues); allocates.
+/// Numerics: both to a few n·ε·λmax; a λmin below that is rounding, and may be zero.
+///
+/// Errors: [`InputError::Length`]; [`InputError::NotFinite`]; [`InputError::NotPositive`] for a weight.
+///
+/// ```
+/// use eigenbody::{Matrix, spectrum::extreme_eigenvalues};
+/// let H = Matrix::from_fn(2, 2, |i, j| if i == j { 2.0 } else { 1.0 });
+/// let [min, max]: [f64; 2] = extreme_eigenvalues(&H, &[1.0, 1.0])?;
+/// assert!((min - 1.0).abs() < 1e-15 && (max - 3.0).abs() < 1e-15);
+/// # Ok::<(), eigenbody::InputError>(())
+/// ```
+pub fn extreme_eigenvalues<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<[T; 2], InputError> {
+    extreme_eigenvalues_into(H, weights, &mut EndsWorkspace::new(H.rows()))
+}
+
+/// [`extreme_eigenvalues`] with the caller's workspace; allocates nothing.
+///
+/// Errors: as there, and if the workspace is for another size.
+pub fn extreme_eigenvalues_into<T: Real>(
+    H: &Matrix<T>,
+    weights: &[T],
+    workspace: &mut EndsWorkspace<T>,
+) -> Result<[T; 2], InputError> {
+    let n = workspace.n;
+    for (what, found) in [("rows of H", H.rows()), ("columns of H", H.cols()), ("B", weights.len())] {
+        if found != n {
+            return Err(InputError::Length { what, expected: n, found });
+        }
+    }
+    if n == 0 {
+        return Ok([T::ZERO; 2]);
+    }
+    if let Some(index) = weights.iter().position(|&b| !(b > T::ZERO && b.is_finite())) {
+        return Err(InputError::NotPositive { what: "B", index, value: weights[index].to_f64() });
+    }
+    for (u, &b) in workspace.u.iter_mut().zip(weights) {
+        *u = if b == T::ONE { b } else { T::ONE / b.sqrt() };
+    }
+    let EndsWorkspace { A, u, stride, .. } = workspace;
+    for i in 0..n {
+        for (j, &x) in H.row(i).iter().enumerate() {
+            A[i * *stride + j] = u[i] * x * u[j];
+        }
+    }
+    if !A.iter().fold(true, |all, x| all & x.is_finite()) {
+        let index = A.iter().position(|x| !x.is_finite()).unwrap_or(0) / *stride;
+        return Err(InputError::NotFinite { what: "H", index });
+    }
+    Ok(dispatch_one(Ends { workspace }))
+}
+
+struct Ends<'a, T> {
+    workspace: &'a mut EndsWorkspace<T>,
+}
+
+impl<T: Real> Algorithm<T> for Ends<'_, T> {
+    type Output = [T; 2];
+    #[inline(always)]
+    fn run<S: Scalar<Constant = T, Stored = T>>(self) -> [T; 2] {
+        let [min, max] = ends::<S>(self.workspace);
+        [min.store(), max.store()]
+    }
+}
+
+/// λmin and λmax of the matrix in the workspace, of one row at least.
+#[inline(always)]
+pub(crate) fn ends<S: Scalar>(workspace: &mut EndsWorkspace<S::Stored>) -> [S; 2] {
+    let largest = reduce::<S>(workspace);
+    let EndsWorkspace { n, d, e2, .. } = workspace;
+    laguerre::<S>(*n, d, e2, largest)
+}
+
+/// Σ of columns.
+#[inline(always)]
+fn sum<S: Scalar>(x: S::Columns) -> S {
+    let mut numbers = [S::ZERO.store(); ALIGN];
+    S::store_columns(x, &mut numbers);
+    let mut sum = S::ZERO;
+    for &number in &numbers[..S::COLUMNS] {
+        sum += S::load(number);
+    }
+    sum
+}
+
+/// xᵀ y.
+#[inline(always)]
+fn dot<S: Scalar>(x: &[S::Stored], y: &[S::Stored]) -> S {
+    let mut total = S::Columns::ZERO;
+    for (x, y) in x.chunks_exact(S::COLUMNS).zip(y.chunks_exact(S::COLUMNS)) {
+        total = S::load_columns(x).mul_add(S::load_columns(y), total);
+    }
+    sum::<S>(total)
+}
+
+/// Householder reduction; returns a bound on the largest eigenvalue.
+#[inline(always)]
+fn reduce<S: Scalar>(workspace: &mut EndsWorkspace<S::Stored>) -> S {
+    let EndsWorkspace { n, stride, A, u, w, d, e2 } = workspace;
+    let (n, stride) = (*n, *stride);
+    let zero = S::ZERO.store();
+    let (mut bound, mut outer) = (S::ZERO, S::ZERO);
+    for i in (0..n).rev() {
+        let diagonal = S::load(A[i * stride + i]);
+        d[i] = diagonal.store();
+        if i == 0 {
+            e2[0] = zero;
+            return bound.max(diagonal + outer);
+        }
+        // u = x − α e_last, α = −|x| by the sign of the last number; only the first i numbers are not zero.
+        let length = i.next_multiple_of(ALIGN);
+        let (u, w) = (&mut u[..length], &mut w[..length]);
+        u.copy_from_slice(&A[i * stride..][..length]);
+        u[i..].fill(zero);
+        let square = dot::<S>(u, u);
+        let (last, norm) = (S::load(u[i - 1]), square.sqrt());
+        let alpha = S::ZERO.select_lt(last, -norm, norm);
+        u[i - 1] = (last - alpha).store();
+        e2[i] = square.store();
+        bound = bound.max(diagonal + outer + norm);
+        outer = norm;
+        if i == 1 {
+            continue;
+        }
+        let h = square - last * alpha;
+        let h_inverse = S::ZERO.select_lt(h, S::ONE / h, S::ZERO);
+        // w = A u/h − K u, K = uᵀ A u/2h²
+        w.fill(zero);
+        for (j, w) in w[..i].iter_mut().enumerate() {
+            *w = (dot::<S>(&A[j * stride..][..length], u) * h_inverse).store();
+        }
+        let K = (dot::<S>(u, w) * h_inverse * S::from_f64(-0.5)).spread();
+        for (w, u) in w.chunks_exact_mut(S::COLUMNS).zip(u.chunks_exact(S::COLUMNS)) {
+            let x = K.mul_add(S::load_columns(u), S::load_columns(w));
+            S::store_columns(x, w);
+        }
+        for j in 0..i {
+            let (u_j, w_j) = ((-S::load(u[j])).spread(), (-S::load(w[j])).spread());
+            let row = A[j * stride..][..length].chunks_exact_mut(S::COLUMNS);
+            for ((row, u), w) in row.zip(u.chunks_exact(S::COLUMNS)).zip(w.chunks_exact(S::COLUMNS)) {
+                let x = u_j.mul_add(S::load_columns(w), S::load_columns(row));
+                S::store_columns(w_j.mul_add(S::load_columns(u), x), row);
+            }
+        }
+    }
+    bound
+}
+
+/// How far one end has come.
+#[derive(Clone, Copy)]
+struct Reached<S> {
+    lambda: S,
+    /// One until it has arrived, then zero.
+    going: S,
+}
+
+#[inline(always)]
+fn laguerre<S: Scalar>(n: usize, d: &[S::Stored], e2: &[S::Stored], largest: S) -> [S; 2] {
+    let mut low = Reached { lambda: S::ZERO, going: S::ONE };
+    // −T begins at −λmax: from below as well.
+    let mut high = Reached { lambda: -largest, going: S::ONE };
+    for _ in 0..MAX_STEPS {
+        let (mut a, mut b) = (Pivot::START, Pivot::START);
+        for (&d, &e2) in d[..n].iter().zip(e2) {
+            let (d, e2) = (S::load(d), S::load(e2));
+            a.next(d - low.lambda, e2);
+            b.next(-d - high.lambda, e2);
+        }
+        let size = S::from_f64(n as f64);
+        low.step(size, &a);
+        high.step(size, &b);
+        if !(low.going + high.going).any_above(S::Constant::ZERO) {
+            break;
+        }
+    }
+    [low.lambda, -high.lambda]
+}
+
+/// A pivot q and what its logarithm's derivatives sum up to.
+struct Pivot<S> {
+    /// 1/q, q'/q and q''/q of the last.
+    inverse: S,
+    first: S,
+    second: S,
+    G: S,
+    K: S,
+    smallest: S,
+}
+
+impl<S: Scalar> Pivot<S> {
+    const START: Self =
+        Self { inverse: S::ZERO, first: S::ZERO, second: S::ZERO, G: S::ZERO, K: S::ZERO, smallest: S::ONE };
+
+    /// q = d − e²/q, q' = −1 + (e²/q) q'/q, q'' = (e²/q)(q''/q − 2 (q'/q)²), d less λ.
+    #[inline(always)]
+    fn next(&mut self, d: S, e2: S) {
+        let t = e2 * self.inverse;
+        let q = d - t;
+        let inverse = S::ONE / q;
+        let two = S::from_f64(2.0);
+        let second = t * (self.second - two * self.first * self.first) * inverse;
+        let first = t.mul_add(self.first, -S::ONE) * inverse;
+        self.G += first;
+        self.K += first.mul_add(first, -second);
+        // What is no number is no pivot either: the comparison chooses the first.
+        self.smallest = S::ZERO.select_lt(q, self.smallest, -S::ONE);
+        (self.inverse, self.first, self.second) = (inverse, first, second);
+    }
+}
+
+impl<S: Scalar> Reached<S> {
+    /// Laguerre's step, unless a pivot is not positive: then λ stands at the end but for rounding.
+    #[inline(always)]
+    fn step(&mut self, n: S, sums: &Pivot<S>) {
+        let discriminant = (n - S::ONE) * n.mul_add(sums.K, -(sums.G * sums.G));
+        let step = n / (discriminant.max(S::ZERO).sqrt() - sums.G);
+        let moved = self.lambda + step;
+        let moves = S::ZERO.select_lt(sums.smallest, self.going, S::ZERO);
+        self.lambda = S::ZERO.select_lt(moves, moved, self.lambda);
+        let small = moved.abs() * S::from_f64(2.0 * <S::Constant as Real>::EPSILON);
+        self.going = small.select_lt(step, moves, S::ZERO);
+    }
+}

@@ -1,0 +1,198 @@
+//! Batches against one configuration at a time.
+
+use crate::robots::{cases, configuration, numbers};
+use eigenbody::batch::{Batch, BatchError, Lanes};
+use eigenbody::conditioning::Values;
+use eigenbody::dynamics::plain;
+use eigenbody::scalar::{Real, Unit};
+use eigenbody::spectrum::{eigenvalues, extreme_eigenvalues};
+use eigenbody::{Error, Family, InputError, Metric, Model, mass_matrix};
+
+const UNITS: [Unit; 3] = [Unit::Plain, Unit::Avx2, Unit::Avx512];
+/// No multiple of any number of lanes, and more than a chunk.
+const COUNT: usize = 77;
+
+struct States<T> {
+    q: Vec<T>,
+    v: Vec<T>,
+    x: Vec<T>,
+}
+
+fn states<T: Real>(model: &Model<T>) -> States<T> {
+    let q = (0..COUNT as u64).flat_map(|seed| configuration(model, seed)).collect();
+    States { q, v: numbers(COUNT * model.nv(), 1), x: numbers(COUNT * model.nv(), 2) }
+}
+
+/// Largest difference, against the largest of `exact`.
+#[track_caller]
+fn assert_close<T: Real>(what: &str, found: &[T], exact: &[T], bound: f64) {
+    let size = exact.iter().fold(0.0, |m: f64, x| m.max(x.to_f64().abs()));
+    for (x, y) in found.iter().zip(exact) {
+        let apart = (*x - *y).to_f64().abs();
+        assert!(apart <= bound * size, "{what}: {x:?} and {y:?}, of {size:e}");
+    }
+}
+
+/// Every lane holds its own configuration; roundings for every body on the way.
+fn lanes_are_configurations<T: Lanes>() {
+    for case in cases::<T>(14) {
+        let (model, name) = (case.model, case.name);
+        let States { q, v, x } = states(&model);
+        let (nq, nv) = (model.nq(), model.nv());
+        let bound = 20.0 * (4 + nv) as f64 * T::EPSILON;
+        for unit in UNITS {
+            let batch = Batch::new(&model).on(unit);
+            let (mut H, mut tau) = (vec![T::ONE; COUNT * nv * nv], vec![T::ONE; COUNT * nv]);
+            batch.mass_matrices(&q, &mut H).unwrap();
+            batch.inverse_dynamics(&q, &v, &x, &mut tau).unwrap();
+            let mut vdot = vec![T::ONE; COUNT * nv];
+            batch.forward_dynamics(&q, &v, &tau, &mut vdot).unwrap();
+            for k in 0..COUNT {
+                let (q, of) = (&q[k * nq..][..nq], |a: &[T]| a[k * nv..][..nv].to_vec());
+                let exact = plain::mass_matrix(&model, q).unwrap();
+                let what = |which: &str| format!("{which} of {k}, {unit:?}, {name}");
+                assert_close(&what("H"), &H[k * nv * nv..][..nv * nv], exact.as_slice(), bound);
+                let exact = plain::inverse_dynamics(&model, q, &of(&v), &of(&x)).unwrap();
+                assert_close(&what("τ"), &of(&tau), &exact, bound);
+                // v̇ is as good as the forces that it gives.
+                let back = plain::inverse_dynamics(&model, q, &of(&v), &of(&vdot)).unwrap();
+                let size = plain::mass_matrix(&model, q).unwrap().max_abs();
+                let largest = of(&vdot).iter().fold(1.0, |m: f64, x| m.max(x.to_f64().abs()));
+                for (x, y) in back.iter().zip(&of(&tau)) {
+                    let scale = y
+                        .to_f64()
+                        .abs()
+                        .max(size * largest)
+                        .max(exact.iter().fold(0.0, |m, x| x.to_f64().abs().max(m)));
+                    assert!((*x - *y).to_f64().abs() <= 10.0 * bound * scale, "{}: {x:?} {y:?}", what("v̇"));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn single() {
+    lanes_are_configurations::<f32>();
+}
+
+#[test]
+fn double() {
+    lanes_are_configurations::<f64>();
+}
+
+/// Both ends of every kind of matrix to a few n·ε·λmax.
+#[test]
+fn ends_are_those_of_the_spectrum() {
+    for case in cases::<f64>(45) {
+        let H = mass_matrix(&case.model, &case.q).unwrap();
+        let diagonal: Vec<f64> = (0..H.rows()).map(|d| H[(d, d)]).collect();
+        for weights in [vec![1.0; H.rows()], diagonal] {
+            let all = eigenvalues(&H, &weights).unwrap();
+            let (Some(&least), Some(&largest)) = (all.first(), all.last()) else { continue };
+            let [min, max] = extreme_eigenvalues(&H, &weights).unwrap();
+            let bound = 4.0 * H.rows() as f64 * f64::EPSILON * largest;
+            assert!((min - least).abs() <= bound, "{}: {min:e} {least:e}, of {largest:e}", case.name);
+            assert!((max - largest).abs() <= bound, "{}: {max:e} {largest:e}", case.name);
+        }
+    }
+}
+
+/// The matrix where it is good enough, the tree where it is not: both within the accuracy asked for.
+#[test]
+fn conditioning_is_as_accurate_as_asked() {
+    for (family, accuracy) in [
+        (Family::hydra(6, 1.0, 0.3, 1.0).unwrap(), 1e-8),
+        (Family::auto_tree(9, 1.5, 0.3, 0.9).unwrap(), 1e-6),
+        (Family::hydra(30, 1.0, 0.0, 1.0).unwrap(), 1e-13),
+    ] {
+        let model: Model<f64> = family.model().unwrap();
+        let States { q, .. } = states(&model);
+        let mut values = vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; COUNT];
+        let mut ends = vec![0.0; 2 * COUNT];
+        let batch = Batch::new(&model);
+        batch.conditioning(&q, &Metric::Euclidean, accuracy, &mut values).unwrap();
+        batch.extremes(&q, &Metric::Euclidean, accuracy, &mut ends).unwrap();
+        let mut own = vec![0.0; 2 * COUNT];
+        batch.extremes(&q, &Metric::UnitDiagonal, accuracy, &mut own).unwrap();
+        for (k, values) in values.iter().enumerate() {
+            let q = &q[k * model.nq()..][..model.nq()];
+            let exact = eigenbody::conditioning_at(&model, q, &eigenbody::Question::default()).unwrap();
+            let known = [
+                (values.lambda_min, exact.lambda_min),
+                (values.lambda_max, exact.lambda_max),
+                (values.kappa(), exact.kappa),
+                (values.kappa_weighted, exact.kappa_weighted),
+                (ends[2 * k], exact.lambda_min),
+                (ends[2 * k + 1], exact.lambda_max),
+                (own[2 * k + 1] / own[2 * k], exact.kappa_weighted),
+            ];
+            for (found, exact) in known {
+                let exact = exact.unwrap();
+                // Both λ of κ may be off.
+                assert!((found / exact - 1.0).abs() <= 2.0 * accuracy + 1e-12, "{k}: {found:e} {exact:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_do_not_depend_on_threads() {
+    let model: Model<f64> = Family::auto_tree(12, 1.5, 0.3, 0.9).unwrap().model().unwrap();
+    let count = 1000;
+    let q: Vec<f64> = (0..count).flat_map(|seed| model.random(seed)).collect();
+    let (v, x) = (numbers(1000 * model.nv(), 3), numbers(1000 * model.nv(), 4));
+    let of = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut vdot = vec![0.0; v.len()];
+            let mut values = vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; 1000];
+            Batch::new(&model).forward_dynamics(&q, &v, &x, &mut vdot).unwrap();
+            Batch::new(&model).conditioning(&q, &Metric::Euclidean, 1e-6, &mut values).unwrap();
+            (vdot, values)
+        })
+    };
+    assert_eq!(of(1), of(3));
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let model: Model<f64> = Family::auto_tree(8, 1.0, 0.3, 1.0).unwrap().model().unwrap();
+    let (nq, nv) = (model.nq(), model.nv());
+    let q: Vec<f64> = (0..20).flat_map(|seed| model.random(seed)).collect();
+    let batch = Batch::new(&model);
+    let length = |what, expected, found| BatchError::Shape(InputError::Length { what, expected, found });
+    let mut H = vec![0.0; 20 * nv * nv];
+    assert_eq!(batch.mass_matrices(&q[1..], &mut H), Err(length("q", 20 * nq, 20 * nq - 1)));
+    assert_eq!(batch.mass_matrices(&q, &mut H[1..]), Err(length("H", 20 * nv * nv, 20 * nv * nv - 1)));
+    let (v, mut out) = (vec![0.0; 20 * nv], vec![0.0; 20 * nv]);
+    assert_eq!(batch.inverse_dynamics(&q, &v[1..], &v, &mut out), Err(length("v", 20 * nv, 20 * nv - 1)));
+    let mut bad = q.clone();
+    bad[13 * nq + 2] = f64::NAN;
+    let error = batch.mass_matrices(&bad, &mut H).unwrap_err();
+    assert_eq!(error.to_string(), "configuration 13: q[2] is not a finite number");
+    let mut bad = v.clone();
+    bad[7 * nv + 1] = f64::INFINITY;
+    let error = batch.inverse_dynamics(&q, &v, &bad, &mut out).unwrap_err();
+    assert_eq!(error.to_string(), "configuration 7: vdot[1] is not a finite number");
+    assert_eq!(batch.mass_matrices(&[], &mut []), Ok(()));
+}
+
+/// A body without mass on a hinge has no pivot: the first configuration is named, whichever lane and thread finds it.
+#[test]
+fn a_pivot_of_zero_is_refused() {
+    use eigenbody::model::{JointSpec, ModelBuilder};
+    use eigenbody::spatial::{RigidInertia, Vec3};
+    use eigenbody::{Base, Joint};
+    let mut robot = ModelBuilder::new("massless");
+    let links = [robot.link("base", RigidInertia::ZERO), robot.link("tip", RigidInertia::<f64>::ZERO)];
+    robot.joint(JointSpec::new("hinge", Joint::Revolute, links[0], links[1]).about(Vec3::Z));
+    let model = robot.build(Base::Fixed).unwrap();
+    let (q, mut vdot) = (vec![0.5; 40], vec![0.0; 40]);
+    match Batch::new(&model).forward_dynamics(&q, &q, &q, &mut vdot) {
+        Err(BatchError::Configuration { index: 0, error: Error::NotPositiveDefinite(error) }) => {
+            assert_eq!((error.dof, error.pivot), (0, 0.0));
+        }
+        other => panic!("{other:?}"),
+    }
+}
