@@ -40,7 +40,6 @@ pub const OF_MODELS: &[Rule] = &[
     rule("equality-ignored", "An equality is left out."),
     rule("armature-ignored", "An armature that couples joints is left out."),
     rule("spring-ignored", "A spring, damper or feedback is left out."),
-    rule("spring-ignored", "A spring, damper or feedback is left out."),
     rule("outside-world", "A body stands outside the world."),
 ];
 
