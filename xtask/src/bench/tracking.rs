@@ -61,7 +61,8 @@ fn text(figures: &Figures) -> String {
     ];
     format!(
         "{}\nOne step of 1 ms of a chain that swings, hydra(n, 1, α, 1) with α = 0 or 0.5, one thread. Pinocchio and LAPACK are called from Python, which \
-         adds some microseconds a step and decides the figure at n = 7; CRBA and faer run in the tracker's own process. Largest difference of \
+         adds some microseconds a step and decides the figure at n = 7; Pinocchio's workspace does not fit into memory at n = 1000, where the \
+         figure is LAPACK's alone; CRBA and faer run in the tracker's own process. Largest difference of \
          either end, of λmax: {worst:.0e}.\n",
         table("Both extremes along a motion", &head, &rows)
     )

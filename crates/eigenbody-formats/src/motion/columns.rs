@@ -3,6 +3,7 @@
 use super::MotionOptions;
 use crate::suggest::did_you_mean;
 use eigenbody::Model;
+use eigenbody::model::JointInfo;
 
 /// What a table holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -135,10 +136,9 @@ fn named(name: &str, model: &Model<f64>, wanted: Wanted) -> Result<usize, String
                     "joint '{name}' has {n} coordinates: name the columns q0, q1, .. (it begins at q{first})"
                 ))
             }
-            None => Err(format!(
-                "unknown joint '{name}'{}",
-                did_you_mean(name, joints().map(|joint| joint.name()))
-            )),
+            None => {
+                Err(format!("unknown joint '{name}'{}", did_you_mean(name, joints().map(JointInfo::name))))
+            }
         },
         Wanted::Forces => {
             let names: Vec<String> = (0..model.nv()).map(|d| model.dof_name(d)).collect();

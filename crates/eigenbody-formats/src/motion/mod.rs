@@ -199,7 +199,7 @@ impl<'m> Motion<'m> {
             }
             self.model.check_q(&row.q).map_err(|error| RowFault::Configuration(error.to_string()))?;
         }
-        if let Some(last) = self.last.filter(|&last| !(row.t > last)) {
+        if let Some(last) = self.last.filter(|&last| row.t <= last) {
             return Err(RowFault::Time { t: row.t, last });
         }
         row.v = velocities.then_some(v);

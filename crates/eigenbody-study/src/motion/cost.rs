@@ -213,11 +213,12 @@ pub fn effort(subject: &Subject) -> Result<Effort, StudyError> {
                 largest = largest.max(energy.kinetic);
             }
             taken += 1;
-            if taken % 50 == 1 {
-                if let Ok(Some((kappa, prime))) = conditions(model, q) {
-                    kappas.push(kappa);
-                    weighted.push(prime);
-                }
+            if taken % 50 != 1 {
+                return;
+            }
+            if let Ok(Some((kappa, prime))) = conditions(model, q) {
+                kappas.push(kappa);
+                weighted.push(prime);
             }
         });
     let drift = fixed.is_ok().then_some(drift / largest);

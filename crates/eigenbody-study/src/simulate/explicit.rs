@@ -105,7 +105,7 @@ impl Explicit {
         for d in 0..v0.len() {
             let square = theta[d].powi(2) + (v[d] / v0[d].abs().max(1.0)).powi(2);
             sum += square;
-            if !(square <= worst.0) {
+            if square > worst.0 || square.is_nan() {
                 worst = (square, d);
             }
         }

@@ -234,7 +234,8 @@ impl<'m> Simulation<'m> {
                 let proposed = h * if size.is_nan() { 0.2 } else { growth };
                 // A step that was cut says nothing against longer ones.
                 self.h = if size <= 1.0 && is_last { self.h.max(proposed) } else { proposed };
-                if !(size <= 1.0) {
+                let is_within = size <= 1.0;
+                if !is_within {
                     self.effort.refused += 1;
                     if self.h < SMALLEST * limit.abs() {
                         let joint = self.flow.model.dof_name(dof);

@@ -32,7 +32,7 @@ impl Trajectory {
                 return Err(InputError::NotFinite { what: "row of the trajectory", index });
             }
         }
-        if let Some(index) = (1..times.len()).find(|&k| !(times[k] > times[k - 1])) {
+        if let Some(index) = (1..times.len()).find(|&k| times[k] <= times[k - 1] || times[k].is_nan()) {
             let value = times[index] - times[index - 1];
             return Err(InputError::NotPositive { what: "step of the trajectory's time", index, value });
         }

@@ -49,7 +49,7 @@ fn a_double_pendulum_is_where_its_equations_say() {
     let motion = simulate(&model, &start, &[0.0; 2], &schedule).unwrap();
     for state in &motion[1..] {
         y = reference(y, 0.25);
-        let [a1, a2, w1, w2] = y.map(|x| x.to_f64());
+        let [a1, a2, w1, w2] = y.map(Real::to_f64);
         let expected = [a1, a2 - a1, w1, w2 - w1];
         let found = [state.q[0], state.q[1], state.v[0], state.v[1]];
         for (found, expected) in found.iter().zip(expected) {

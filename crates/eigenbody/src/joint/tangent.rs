@@ -31,7 +31,7 @@ const TERMS: u32 = 30;
 
 /// dexp_u⁻¹ v.
 pub(super) fn dexp_inverse<T: Real>(u: Motion<T>, v: Motion<T>) -> Motion<T> {
-    inverse(u, v, |u, m| u.cross(m))
+    inverse(u, v, Motion::cross)
 }
 
 /// The transpose of dexp_u, on forces.
