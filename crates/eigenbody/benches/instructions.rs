@@ -4,11 +4,17 @@
 //! limit, about a tenth above what it was when the limit was set (x86-64 with AVX2: Valgrind has no wider unit), or is more
 //! than a fiftieth above that of the run before. A change that means to cost more raises the limit and says why.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
 
 use eigenbody::spectrum::sturm::{Count, Pencil, counts};
-use eigenbody::spectrum::{Extremes, Precision, extremes};
-use eigenbody::{Family, Model, Posture};
+use eigenbody::batch::Batch;
+use eigenbody::dynamics::{
+    AbaWorkspace, CrbaWorkspace, RneaWorkspace, forward_dynamics_into, inverse_dynamics_into,
+    mass_matrix_into,
+};
+use eigenbody::family::puma560;
+use eigenbody::spectrum::{EndsWorkspace, Extremes, Precision, extreme_eigenvalues_into, extremes};
+use eigenbody::{Family, Matrix, Model, Posture};
 use gungraun::{
     Callgrind, EventKind, LibraryBenchmarkConfig, library_benchmark, library_benchmark_group, main,
 };
@@ -51,5 +57,103 @@ fn cold((model, q): (Model<f64>, Vec<f64>)) -> Extremes {
     extremes(&model, &q, &pencil, Precision::Auto).unwrap()
 }
 
+/// A robot with a state and everything that a kernel asks for.
+struct Bench {
+    model: Model<f64>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    out: Vec<f64>,
+    H: Matrix<f64>,
+    rnea: RneaWorkspace<f64>,
+    crba: CrbaWorkspace<f64>,
+    aba: AbaWorkspace<f64>,
+    ends: EndsWorkspace<f64>,
+}
+
+fn bench(model: Model<f64>) -> Bench {
+    let (q, nv) = (model.random(1), model.nv());
+    let numbers = |seed: f64| (0..nv).map(|d| (seed + d as f64).sin()).collect::<Vec<f64>>();
+    Bench {
+        q,
+        v: numbers(1.0),
+        out: numbers(2.0),
+        H: Matrix::zeros(nv, nv),
+        rnea: RneaWorkspace::new(&model),
+        crba: CrbaWorkspace::new(&model),
+        aba: AbaWorkspace::new(&model),
+        ends: EndsWorkspace::new(nv),
+        model,
+    }
+}
+
+/// PUMA 560: a serial arm of six.
+fn arm() -> Bench {
+    bench(puma560().unwrap())
+}
+
+/// Every kind of joint on a free base.
+fn tree() -> Bench {
+    bench(Family::auto_tree(30, 2.0, 0.5, 1.0).unwrap().floating().model().unwrap())
+}
+
+// τ, one state.
+#[library_benchmark]
+#[bench::arm(setup = arm, config = at_most(INVERSE[0]))]
+#[bench::tree(setup = tree, config = at_most(INVERSE[1]))]
+fn inverse(mut b: Bench) -> Bench {
+    let given = b.out.clone();
+    inverse_dynamics_into(&b.model, black_box(&b.q), &b.v, &given, &mut b.rnea, &mut b.out).unwrap();
+    b
+}
+
+// v̇, one state.
+#[library_benchmark]
+#[bench::arm(setup = arm, config = at_most(FORWARD[0]))]
+#[bench::tree(setup = tree, config = at_most(FORWARD[1]))]
+fn forward(mut b: Bench) -> Bench {
+    let given = b.out.clone();
+    forward_dynamics_into(&b.model, black_box(&b.q), &b.v, &given, &mut b.aba, &mut b.out).unwrap();
+    b
+}
+
+// H, one configuration.
+#[library_benchmark]
+#[bench::arm(setup = arm, config = at_most(MASS[0]))]
+#[bench::tree(setup = tree, config = at_most(MASS[1]))]
+fn mass(mut b: Bench) -> Bench {
+    mass_matrix_into(&b.model, black_box(&b.q), &mut b.crba, &mut b.H).unwrap();
+    b
+}
+
+// H and both ends of its spectrum.
+#[library_benchmark]
+#[bench::arm(setup = arm, config = at_most(ENDS[0]))]
+#[bench::tree(setup = tree, config = at_most(ENDS[1]))]
+fn ends(mut b: Bench) -> Bench {
+    mass_matrix_into(&b.model, black_box(&b.q), &mut b.crba, &mut b.H).unwrap();
+    black_box(extreme_eigenvalues_into(&b.H, &vec![1.0; b.model.nv()], &mut b.ends).unwrap());
+    b
+}
+
+// Sixty-four states, one thread: H and v̇ in lanes.
+#[library_benchmark]
+#[bench::arm(setup = arm, config = at_most(BATCH))]
+fn batch(b: Bench) -> (Vec<f64>, Vec<f64>) {
+    let (nq, nv, count) = (b.model.nq(), b.model.nv(), 64);
+    let (q, v) = (b.q.repeat(count), b.v.repeat(count));
+    let (mut H, mut vdot) = (vec![0.0; count * nv * nv], vec![0.0; count * nv]);
+    Batch::new(&b.model).mass_matrices(black_box(&q[..count * nq]), &mut H).unwrap();
+    Batch::new(&b.model).forward_dynamics(&q, &v, &v, &mut vdot).unwrap();
+    (H, vdot)
+}
+
+// Limits of the kernels: arm, tree.
+const INVERSE: [u64; 2] = [10_000_000; 2];
+const FORWARD: [u64; 2] = [10_000_000; 2];
+const MASS: [u64; 2] = [10_000_000; 2];
+const ENDS: [u64; 2] = [10_000_000; 2];
+const BATCH: u64 = 100_000_000;
+
 library_benchmark_group!(name = engine, benchmarks = [sweep, cold]);
-main!(library_benchmark_groups = engine);
+library_benchmark_group!(name = kernels, benchmarks = [inverse, forward, mass, ends, batch]);
+main!(library_benchmark_groups = engine, kernels);
