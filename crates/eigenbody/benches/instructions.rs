@@ -6,13 +6,13 @@
 
 #![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
 
-use eigenbody::spectrum::sturm::{Count, Pencil, counts};
 use eigenbody::batch::Batch;
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, RneaWorkspace, forward_dynamics_into, inverse_dynamics_into,
     mass_matrix_into,
 };
 use eigenbody::family::puma560;
+use eigenbody::spectrum::sturm::{Count, Pencil, counts};
 use eigenbody::spectrum::{EndsWorkspace, Extremes, Precision, extreme_eigenvalues_into, extremes};
 use eigenbody::{Family, Matrix, Model, Posture};
 use gungraun::{
