@@ -129,6 +129,7 @@ impl<T: Scalar> Model<T> {
             return Err(InputError::NotFinite { what: "inertia", index });
         }
         self.bodies[body].I = self.links[link].link_from_body().transpose_rigid(inertia);
+        self.mechanism = Mechanism::new(&self.bodies, &self.joints);
         Ok(self)
     }
 
