@@ -11,7 +11,7 @@ pub struct Tableau {
     pub b: &'static [f64],
     /// b − b̂, b̂ the weights of the companion of lower order.
     pub error: Option<&'static [f64]>,
-    /// Weights within the step: b_i(s) = Σ_k dense[i][k−1] sᵏ, s from 0 to 1.
+    /// Weights within the step, s from 0 to 1: b_i(s) is a polynomial in s without constant term; row i holds the coefficients of s, s², s³, s⁴.
     pub dense: &'static [[f64; 4]],
     /// Order of the method.
     pub order: u32,

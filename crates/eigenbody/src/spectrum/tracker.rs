@@ -7,8 +7,9 @@
 //!           x ← ŷ,  σ ← λ           until the residual is small
 //! ```
 //! Rayleigh-quotient iteration converges to an eigenvalue, not to a given one. Which one it is, the same factorisation tells at no
-//! cost: with k eigenvalues sought below λ, count(σ) is k for λ ≥ σ and k + 1 for λ < σ. Where the count says otherwise, as after
-//! a crossing, the end is found again and the reading says so:
+//! cost, if σ stands a little inside of λ: one eigenvalue below σ and λ < σ, and λ is λmin; all but one below σ and λ ≥ σ, and λ is λmax.
+//! Where σ fell outside, one more count just outside of λ tells; where that says otherwise, as after a crossing, the end is found again and
+//! the reading says so:
 //!
 //! ```text
 //! bracket of eigenvalue k by two counts a sweep, from its last value outwards, until it is alone in there and the bracket is short
@@ -32,6 +33,8 @@ const STEADY: f64 = 1e-8;
 const ROUNDS: usize = 6;
 /// How close to its end of the spectrum a value is certified to be, where eigenvalues lie together.
 const CERTIFIED: f64 = 1e-13;
+/// How far, at least and at most, a shift stands inside of the value that it is meant for.
+const MARGIN: (f64, f64) = (1e-9, 1e-3);
 /// Sweeps after which a bracket is as short as numbers allow, whatever it was: 280 decades, then 53 bits, by thirds.
 const SWEEPS: usize = 60;
 /// Relative width of a bracket at which inverse iteration is tried, and to which it is shortened where that fails.
@@ -98,6 +101,8 @@ struct End {
     /// The last values, the latest first; as many as `known` count.
     values: [f64; 3],
     known: usize,
+    /// By how much, relative to the value, the last prediction missed it.
+    missed: f64,
 }
 
 impl<'m> Tracker<'m> {
@@ -125,7 +130,7 @@ impl<'m> Tracker<'m> {
         let Some(last) = pencil.len().checked_sub(1) else {
             return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
         };
-        let end = |index| End { index, values: [0.0; 3], known: 0 };
+        let end = |index| End { index, values: [0.0; 3], known: 0, missed: MARGIN.1 };
         let follows = matches!(metric, Metric::UnitDiagonal);
         let (factors, start) = (Factors::new(&pencil), start(pencil.metric()));
         let [x, before, y] = [(); 3].map(|()| vec![Array::ZERO; nv]);
@@ -194,11 +199,10 @@ impl<'m> Tracker<'m> {
                 let residual = turned.sqrt() / growth[k];
                 let enough = if turned <= STEADY { RESIDUAL_OF_STEADY } else { RESIDUAL };
                 if residual <= enough * value.abs() {
-                    let expected = end.index + usize::from(value < shifts[k]);
-                    lost[k] = factors.below.0[k] as usize != expected;
+                    lost[k] = !end.is_certain(k, value, shifts[k], factors.below.0[k] as usize);
                     found[k] = Some(Reading { value, residual, factorisations: round, restarted: false });
                 } else if value.is_finite() {
-                    shifts[k] = value;
+                    shifts[k] = value * inwards(k, MARGIN.0);
                 } else {
                     lost[k] = true;
                 }
@@ -242,7 +246,7 @@ impl<'m> Tracker<'m> {
             *y = x + forward * (x - *before);
             *before = x;
         }
-        [0, 1].map(|k| ends[k].predict())
+        [0, 1].map(|k| ends[k].shift(k))
     }
 
     /// Finds an end by bisection and inverse iteration, its last value the first guess.
@@ -416,7 +420,28 @@ impl Bracket {
     }
 }
 
+/// The factor that moves a shift from its end of the spectrum into it.
+fn inwards(which: usize, margin: f64) -> f64 {
+    if which == 0 { 1.0 + margin } else { 1.0 - margin }
+}
+
 impl End {
+    /// Whether a count says for certain that an eigenvalue near `value` is the end: it is alone on the outer side of the shift, or the shift is
+    /// so close that nothing matters in between.
+    fn is_certain(&self, which: usize, value: f64, shift: f64, below: usize) -> bool {
+        let is_outside = if which == 0 { value < shift } else { value >= shift };
+        let alone = if which == 0 { self.index + 1 } else { self.index };
+        let empty = if which == 0 { self.index } else { self.index + 1 };
+        let is_close = (value - shift).abs() <= CERTIFIED * value.abs();
+        if is_outside { below == alone } else { below == empty && is_close }
+    }
+
+    /// A shift that lies inside of the next value by twice what the last prediction missed.
+    fn shift(&self, which: usize) -> f64 {
+        let margin = (2.0 * self.missed).clamp(MARGIN.0, MARGIN.1);
+        self.predict() * inwards(which, margin)
+    }
+
     fn predict(&self) -> f64 {
         let [a, b, c] = self.values;
         match self.known {
@@ -427,6 +452,8 @@ impl End {
     }
 
     fn settle(&mut self, value: f64) {
+        let predicted = self.predict();
+        self.missed = if self.known > 0 && value > 0.0 { (predicted / value - 1.0).abs() } else { MARGIN.1 };
         self.values = [value, self.values[0], self.values[1]];
         self.known = (self.known + 1).min(3);
     }
