@@ -148,11 +148,11 @@ fn batch(b: Bench) -> (Vec<f64>, Vec<f64>) {
 }
 
 // Limits of the kernels: arm, tree.
-const INVERSE: [u64; 2] = [10_000_000; 2];
-const FORWARD: [u64; 2] = [10_000_000; 2];
-const MASS: [u64; 2] = [10_000_000; 2];
-const ENDS: [u64; 2] = [10_000_000; 2];
-const BATCH: u64 = 100_000_000;
+const INVERSE: [u64; 2] = [3_900, 31_900];
+const FORWARD: [u64; 2] = [8_400, 74_000];
+const MASS: [u64; 2] = [3_900, 106_000];
+const ENDS: [u64; 2] = [9_700, 729_000];
+const BATCH: u64 = 330_000;
 
 library_benchmark_group!(name = engine, benchmarks = [sweep, cold]);
 library_benchmark_group!(name = kernels, benchmarks = [inverse, forward, mass, ends, batch]);

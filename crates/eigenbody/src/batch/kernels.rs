@@ -161,8 +161,8 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
 fn all_positive<W: Wide>(D: &[W]) -> bool {
     let mut faults = W::ZERO;
     for &D in D {
-        // D − D is zero for a finite number and for no other; a comparison with what is not a number chooses the last.
-        let finite = (D - D).abs().select_lt(W::ONE, W::ZERO, W::ONE);
+        // 0 D is zero for a finite number and for no other; a comparison with what is not a number chooses the last.
+        let finite = (D * W::ZERO).abs().select_lt(W::ONE, W::ZERO, W::ONE);
         faults += W::ZERO.select_lt(D, finite, W::ONE);
     }
     !faults.any_above(W::Constant::from_f64(0.0))

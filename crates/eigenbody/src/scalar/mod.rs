@@ -72,7 +72,7 @@ pub trait Scalar:
     type Constant: Real;
     /// A model's number, in every lane.
     fn constant(c: Self::Constant) -> Self;
-    /// What it is in memory: itself, or the plain number that a [`Fused`] computes with.
+    /// What it is in memory: itself, or the plain number where a product and a sum are fused.
     type Stored: Scalar<Constant = Self::Constant, Stored = Self::Stored>;
     /// Out of memory.
     fn load(x: Self::Stored) -> Self;

@@ -27,6 +27,8 @@ pub struct Trig<T: 'static> {
     cos: &'static [T],
 }
 
+/// Digits as published.
+#[allow(clippy::excessive_precision)]
 pub(super) const DOUBLE: Trig<f64> = Trig {
     limit: 800_000.0,
     integer: 6_755_399_441_055_744.0,
@@ -50,6 +52,8 @@ pub(super) const DOUBLE: Trig<f64> = Trig {
     ],
 };
 
+/// Digits as published.
+#[allow(clippy::excessive_precision)]
 pub(super) const SINGLE: Trig<f32> = Trig {
     limit: 3000.0,
     integer: 12_582_912.0,

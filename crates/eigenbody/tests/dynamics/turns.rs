@@ -29,6 +29,7 @@ fn robot(angles: &[[f64; 3]], base: Base) -> Model<f64> {
 }
 
 /// Exact quarter turns, turns rounded as files round them, none, half turns and any.
+#[allow(clippy::approx_constant)]
 const ANGLES: [[f64; 3]; 10] = [
     [FRAC_PI_2, 0.0, 0.0],
     [-FRAC_PI_2, 0.0, 0.0],
