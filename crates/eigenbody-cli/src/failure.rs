@@ -54,6 +54,9 @@ pub enum Failure {
         /// Where rows stand, and how many.
         partial: Option<(PathBuf, u64)>,
     },
+    /// A sweep's folder does not do.
+    #[error(transparent)]
+    Sweep(#[from] eigenbody_report::SweepFolderError),
     /// A log cannot be followed.
     #[error(transparent)]
     Log(#[from] eigenbody_formats::MotionError),

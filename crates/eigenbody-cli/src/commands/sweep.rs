@@ -3,7 +3,7 @@
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::output::deliver;
-use eigenbody_report::{PlanRecord, SweepFolder, SweepFolderError, chunk_text, significant};
+use eigenbody_report::{PlanRecord, SweepFolder, chunk_text, significant};
 use eigenbody_study::sweep::{Plan, Spec};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -23,7 +23,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         return Err(Failure::Usage("-o DIR: where the rows go; or --dry-run".into()));
     };
     let record = PlanRecord::new(&plan, env!("CARGO_PKG_VERSION"));
-    let folder = SweepFolder::open(output, record).map_err(refused)?;
+    let folder = SweepFolder::open(output, record)?;
     if !args.merge {
         let mine = |chunk: &u64| args.shard.is_none_or(|shard| shard.has(*chunk));
         let missing: Vec<u64> = folder.missing().into_iter().filter(mine).collect();
@@ -36,12 +36,8 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
             _ => writeln!(out, "{}: {left} of {} chunks are other shards'", output.display(), plan.chunks()),
         });
     }
-    let table = folder.merge(&plan).map_err(refused)?;
+    let table = folder.merge(&plan)?;
     deliver(None, |out| writeln!(out, "{}: {} rows", table.display(), plan.cases()))
-}
-
-fn refused(error: SweepFolderError) -> Failure {
-    Failure::Usage(error.to_string())
 }
 
 fn plan(path: &Path) -> Result<Plan, Failure> {
@@ -67,7 +63,7 @@ fn compute(plan: &Plan, folder: &SweepFolder, missing: &[u64]) -> Result<(), Fai
     let one = |&number: &u64| {
         let chunk = plan.compute(number).map_err(|error| Failure::Usage(error.to_string()))?;
         let text = chunk_text(plan, &chunk).map_err(Failure::Stdout)?;
-        folder.keep(number, &text).map_err(refused)?;
+        folder.keep(number, &text)?;
         bar.inc(cases(number));
         Ok(())
     };

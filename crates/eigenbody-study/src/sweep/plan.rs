@@ -8,7 +8,7 @@ use eigenbody_formats::{FormatError, LoadOptions, Loaded, load};
 use thiserror::Error;
 
 use super::Quantity;
-use super::spec::{Group, Robots, Spec};
+use super::spec::{Axis, Group, Robots, Spec};
 use crate::{Cell, Field};
 
 /// What a chunk is meant to cost: n² for H and its extremes, and so much for each case, in units of some ten nanoseconds.
@@ -88,7 +88,7 @@ impl Group {
             Robots::Models(models) => models.len() as u64,
             Robots::Family { sample: Some(count), .. } => *count,
             Robots::Family { axes, sample: None, .. } => {
-                axes.iter().map(|axis| axis.len()).fold(1, u64::saturating_mul)
+                axes.iter().map(Axis::len).fold(1, u64::saturating_mul)
             }
         };
         points.saturating_mul(self.floating.len() as u64)

@@ -55,7 +55,7 @@ pub struct StepLimit {
 /// Method: see the [module](self); Cholesky factors and inverse iteration, about 5 n³; for Runge-Kutta all 2n eigenvalues by the QR
 /// algorithm, about 100 n³. Allocates. Numerics: relative error of a few n·ε·κ′(H), from below.
 ///
-/// Errors: [`InputError::Length`], [`NotPositiveDefinite`](crate::NotPositiveDefinite) where H is singular to working precision,
+/// Errors: [`InputError::Length`], [`NotPositiveDefinite`] where H is singular to working precision,
 /// [`Error::NoConvergence`].
 ///
 /// ```
