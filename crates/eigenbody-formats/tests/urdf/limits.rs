@@ -44,7 +44,7 @@ fn what_does_not_touch_inertia_is_passed_over() {
         "revolute",
         "base",
         "a",
-        r#"<dynamics damping="nan"/><safety_controller k_velocity="x"/><calibration rising="?"/>"#,
+        r#"<dynamics friction="nan"/><safety_controller k_velocity="x"/><calibration rising="?"/>"#,
     );
     let rest = r#"
         <!-- comment --> stray text
@@ -56,6 +56,15 @@ fn what_does_not_touch_inertia_is_passed_over() {
     let base = r#"<link name="base"><visual><origin xyz="a b"/></visual><collision/></link><link name="a"/>"#;
     let model = model(&format!("{base}{hinge}{rest}"));
     assert_eq!((model.links().len(), model.nv()), (2, 1));
+}
+
+#[test]
+fn damping_is_a_number() {
+    let hinge = joint("revolute", "base", "a", r#"<dynamics damping="nan"/>"#);
+    let text = format!(r#"<robot name="r"><link name="base"/><link name="a"/>{hinge}</robot>"#);
+    let refused =
+        eigenbody_formats::read_urdf_str(&text, "r.urdf", &Default::default()).unwrap_err().to_string();
+    assert!(refused.starts_with("r.urdf:1:") && refused.contains("damping"), "{refused}");
 }
 
 #[test]

@@ -37,7 +37,7 @@ pub struct Spent {
 /// let mut monitors = Monitors::new(&chain, Reduction::default(), &[Quantity::Kappa, Quantity::DiagonalRatio])?;
 /// let row = monitors.observe(&State { t: 0.0, q: vec![0.0; 4], v: vec![0.0; 4] })?;
 /// assert!(matches!(row[..], [Cell::Number(Some(kappa)), Cell::Number(Some(ratio))] if ratio < kappa));
-/// # Ok::<(), eigenbody::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Monitors<'m> {
     model: &'m Model<f64>,
