@@ -90,7 +90,7 @@ impl Swing {
             let (workspace, H, turn) = &mut *room.borrow_mut();
             let q = &self.rows[turn.next(self.rows.len())];
             mass_matrix_into(&self.model, black_box(q), workspace, H).expect("q fits");
-            crate::faer_eigenvalues(&crate::dense(H), faer::Par::Seq).len()
+            crate::dense::faer_eigenvalues(&crate::dense::dense(H), faer::Par::Seq).len()
         });
         Ok(())
     }
