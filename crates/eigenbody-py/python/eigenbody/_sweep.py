@@ -15,9 +15,11 @@ from eigenbody._eigenbody import SweepPlan
 AHEAD = 64
 
 
-@lru_cache(maxsize=4)
-def _plan(text: str) -> SweepPlan:
+def _read(text: str) -> SweepPlan:
     return SweepPlan(text)
+
+
+_plan = lru_cache(maxsize=4)(_read)
 
 
 def _compute(text: str, number: int) -> bytes:

@@ -41,6 +41,8 @@ const SWEEPS: usize = 60;
 const SHORT: f64 = 0.1;
 /// Relative width at which a bracket is as good as the numbers in it.
 const WIDTH: f64 = 2.0 * f64::EPSILON;
+/// How far from the edges of a bracket, relative to its size, a value lies inside of it for certain.
+const EDGE: f64 = 1e-12;
 /// Eigenvalues below this are not told from zero.
 const SMALLEST: f64 = 1e-280;
 
@@ -356,7 +358,11 @@ impl<'m> Tracker<'m> {
                 break;
             }
             if round > 1 && residual <= RESIDUAL * value.abs() {
-                found = (value >= bracket.lo && value <= bracket.hi).then_some((value, residual));
+                // An edge may be an eigenvalue itself, and then not the one that is meant: one that stays the same in every
+                // configuration is the first guess again.
+                let edge = residual + EDGE * value.abs();
+                let is_inside = value > bracket.lo + edge && value < bracket.hi - edge;
+                found = is_inside.then_some((value, residual));
                 break;
             }
             if round >= 3 {
