@@ -7,15 +7,14 @@
 //! ```
 //! A chunk's file depends on the plan and its number alone, so that it does not matter who computed it, when, or how often.
 
-use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use eigenbody_study::sweep::{Chunk, Plan};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::{RowsCsv, read_rows};
+use crate::RowsCsv;
 
 /// Why a folder does not do.
 #[derive(Debug, Error)]
@@ -168,12 +167,11 @@ impl SweepFolder {
         let fields = plan.fields();
         let mut next = 0u64;
         let rows = (0..self.record.chunks).flat_map(|number| {
-            let opened = File::open(self.chunk(number));
+            let opened = std::fs::File::open(self.chunk(number));
             match opened {
-                Ok(file) => {
-                    Box::new(read_rows(io::BufReader::new(file), &fields).collect::<Vec<_>>().into_iter())
-                        as Box<dyn Iterator<Item = io::Result<_>>>
-                }
+                Ok(file) => Box::new(
+                    crate::read_rows(io::BufReader::new(file), &fields).collect::<Vec<_>>().into_iter(),
+                ) as Box<dyn Iterator<Item = io::Result<_>>>,
                 Err(error) => Box::new(std::iter::once(Err(error))),
             }
         });
@@ -194,18 +192,6 @@ impl SweepFolder {
         }
         persist(temporary, &path)?;
         Ok(path)
-    }
-
-    /// The text of a chunk that is there.
-    ///
-    /// # Errors
-    ///
-    /// If it is not.
-    pub fn read(&self, number: u64) -> Result<String, SweepFolderError> {
-        let path = self.chunk(number);
-        let mut text = String::new();
-        let read = File::open(&path).and_then(|mut file| file.read_to_string(&mut text));
-        read.map(|_| text).map_err(|source| io_error(&path, source))
     }
 }
 
