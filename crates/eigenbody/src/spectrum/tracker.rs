@@ -3,7 +3,7 @@
 //! ```text
 //! σ ← λ extrapolated,  x ← mode extrapolated
 //! repeat:   y = (H − σB)⁻¹ B x      c = ŷᵀBx,  ŷ = y/|y|_B
-//!           λ = σ + c/|y|           residual |(H − λB)ŷ| = √(1 − c²)/|y|
+//!           λ = ŷᵀHŷ, twice the kinetic energy     residual |(H − λB)ŷ| = √(1 − c²)/|y|
 //!           x ← ŷ,  σ ← λ           until the residual is small
 //! ```
 //! Rayleigh-quotient iteration converges to an eigenvalue, not to a given one. Which one it is, the same factorisation tells at no
@@ -187,7 +187,9 @@ impl<'m> Tracker<'m> {
                 *y = Array([b; 2]) * x;
             }
             factors.solve(pencil, y);
+            let energy = factors.energy(pencil, y);
             let growth = normalise(y, B);
+            let quotient = energy / (Array(growth) * Array(growth));
             let c = y.iter().zip(&*x).zip(B).fold(Array::ZERO, |c, ((&y, &x), &b)| c + y * x * Array([b; 2]));
             let sign = Array(c.0.map(f64::signum));
             y.iter_mut().for_each(|y| *y *= sign);
@@ -196,7 +198,7 @@ impl<'m> Tracker<'m> {
                 if found[k].is_some() || lost[k] {
                     continue;
                 }
-                let value = shifts[k] + c.0[k] / growth[k];
+                let value = quotient.0[k];
                 let turned = (1.0 - c.0[k] * c.0[k]).max(0.0);
                 let residual = turned.sqrt() / growth[k];
                 let enough = if turned <= STEADY { RESIDUAL_OF_STEADY } else { RESIDUAL };
@@ -350,9 +352,10 @@ impl<'m> Tracker<'m> {
             x_lane.iter_mut().zip(&*y).for_each(|(x, y)| *x = y.0[which]);
             y.iter_mut().zip(B).for_each(|(y, &b)| *y *= Array([b; 2]));
             factors.solve(pencil, y);
+            let energy = factors.energy(pencil, y).0[which];
             let growth = normalise(y, B)[which];
             let c: f64 = sum(y.iter().zip(&*x_lane).zip(B), |((y, x), b)| y.0[which] * x * b) / before.sqrt();
-            let value = shift + c / growth;
+            let value = energy / (growth * growth);
             let residual = (1.0 - c * c).max(0.0).sqrt() / growth;
             if !value.is_finite() {
                 break;

@@ -70,6 +70,14 @@ impl<T: Scalar> Factors<T> {
         }
     }
 
+    /// xᵀHx of the last solution: twice its kinetic energy. A sum of squares, so that what the factors lost to cancellation is not in it.
+    pub fn energy(&self, pencil: &Pencil<T::Constant>, x: &[T]) -> T {
+        let bodies = pencil.nodes.iter().zip(&self.a);
+        let bodies = bodies.fold(T::ZERO, |sum, (node, &a)| sum + a.dot(node.I.map(T::constant).times(a)));
+        let rotors = pencil.armature.iter().zip(x);
+        rotors.fold(bodies, |sum, (&armature, &x)| sum + T::constant(armature) * x * x)
+    }
+
     /// Scales what [`motions`](Self::motions) tells.
     pub fn scale_motions(&mut self, s: T) {
         self.a.iter_mut().for_each(|a| *a = *a * s);
