@@ -99,14 +99,26 @@ impl Model {
         spectrum::eigenvalues(self, q, metric, out)
     }
 
-    #[pyo3(signature = (q, /, *, metric="euclidean", out=None))]
+    #[pyo3(signature = (q, /, *, metric="euclidean", accuracy=1e-8, out=None))]
     fn extremes<'py>(
         &self,
         q: &Bound<'py, PyAny>,
         metric: &str,
+        accuracy: f64,
         out: Option<&Bound<'py, PyAny>>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        spectrum::extremes(self, q, metric, out)
+        spectrum::extremes(self, q, metric, accuracy, out)
+    }
+
+    #[pyo3(signature = (q, /, *, metric="euclidean", accuracy=1e-8, out=None))]
+    fn kappa<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        metric: &str,
+        accuracy: f64,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        spectrum::kappa(self, q, metric, accuracy, out)
     }
 
     #[pyo3(signature = (q=None, /, *, metric="euclidean", method="auto", precision="auto", all=false))]

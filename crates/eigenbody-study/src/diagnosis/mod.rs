@@ -18,7 +18,9 @@ mod rest;
 mod sensitivity;
 mod stepping;
 
-pub use advise::{Added, Advice, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies};
+pub use advise::{
+    Added, Advice, Change, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies,
+};
 pub(crate) use blame::softest;
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
