@@ -2,6 +2,7 @@
 
 use crate::array::{Out, Rows};
 use crate::error::Failure;
+use crate::given::At;
 use crate::model::{Model, Shared};
 use eigenbody::batch::Batch;
 use eigenbody::spectrum::Precision;
@@ -11,19 +12,6 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-
-/// A configuration as a text, or numbers.
-#[derive(FromPyObject)]
-pub enum At<'py> {
-    Text(String),
-    Numbers(Bound<'py, PyAny>),
-}
-
-impl Default for At<'_> {
-    fn default() -> Self {
-        Self::Text("zero".into())
-    }
-}
 
 /// What is asked besides q.
 pub struct Asked<'a> {
@@ -116,10 +104,11 @@ pub fn extremes<'py>(
     let asked = Asked { metric, method: "auto", precision: "auto", all: false };
     let question = asked.question(shared)?;
     let rows = Rows::<f64>::new("q", q, shared.nq)?;
+    let numbers = rows.numbers();
+    let numbers: &[f64] = numbers.as_ref();
     match in_lanes(shared, &rows, accuracy)? {
         Some(count) => Out::new(q.py(), &[count, 2], out)?.fill(|out| {
-            let numbers = rows.numbers();
-            Batch::new(&shared.robot.model).extremes(&numbers, &question.metric, accuracy, out)?;
+            Batch::new(&shared.robot.model).extremes(numbers, &question.metric, accuracy, out)?;
             out.chunks_exact_mut(2).filter(|ends| ends[0] == 0.0).for_each(|ends| ends[0] = f64::NAN);
             Ok(())
         }),
@@ -142,11 +131,12 @@ pub fn kappa<'py>(
     let asked = Asked { metric, method: "auto", precision: "auto", all: false };
     let question = asked.question(shared)?;
     let rows = Rows::<f64>::new("q", q, shared.nq)?;
+    let numbers = rows.numbers();
+    let numbers: &[f64] = numbers.as_ref();
     match in_lanes(shared, &rows, accuracy)? {
         Some(count) => Out::new(q.py(), &[count], out)?.fill(|out| {
-            let numbers = rows.numbers();
             let mut ends = vec![0.0; 2 * count];
-            Batch::new(&shared.robot.model).extremes(&numbers, &question.metric, accuracy, &mut ends)?;
+            Batch::new(&shared.robot.model).extremes(numbers, &question.metric, accuracy, &mut ends)?;
             for (kappa, ends) in out.iter_mut().zip(ends.chunks_exact(2)) {
                 *kappa = if ends[0] == 0.0 { f64::NAN } else { ends[1] / ends[0] };
             }

@@ -13,6 +13,7 @@
 mod advise;
 mod blame;
 mod digits;
+mod drive;
 mod finding;
 mod rest;
 mod sensitivity;
@@ -24,10 +25,11 @@ pub use advise::{
 pub(crate) use blame::softest;
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
+pub use drive::Drive;
 pub use finding::{Finding, Limits, Severity, Use};
 pub use rest::NullMotion;
 pub use sensitivity::{Parameter, Sensitivity};
-pub use stepping::{Drive, JointGains, ModeGains, Stepping, WorstStep};
+pub use stepping::{JointGains, ModeGains, Stepping, WorstStep};
 
 use crate::StudyError;
 use eigenbody::search::{Effort, Evaluator, Measure, Spread, Survey, Values, survey};

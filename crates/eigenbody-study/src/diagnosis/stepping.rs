@@ -9,16 +9,13 @@
 //! c = 4, d = 2 for Euler's methods, 8 and 2.785 for Runge-Kutta 4; kd is without bound where damping is implicit. Runge-Kutta's own
 //! worst is looked for among the worst of the others.
 
-use super::{Part, Worst};
+use super::{Drive, Part, Worst};
 use crate::StudyError;
 use eigenbody::dynamics::kinetic_energy_gradient;
 use eigenbody::factor::Cholesky;
 use eigenbody::search::{Domain, Effort, Evaluator, Landscape, Measure, Point, descend, sample_points};
-use eigenbody::stability::{
-    Impedance, Integrator, REAL_LIMIT, Spring, SpringSource, StepLimit, is_stable, largest_step,
-};
+use eigenbody::stability::{Impedance, Integrator, REAL_LIMIT, StepLimit, is_stable, largest_step};
 use eigenbody::{Error, Matrix, Metric, Model, Reduction};
-use eigenbody_formats::Loaded;
 use rayon::prelude::*;
 
 /// Configurations sampled at most.
@@ -30,65 +27,6 @@ const STARTS: usize = 3;
 const LOOKS: usize = 40;
 /// Configurations at which Runge-Kutta's limit is computed.
 const CANDIDATES: usize = 8;
-
-/// How a robot is driven and simulated.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Drive {
-    /// Springs, dampers and feedback.
-    pub springs: Vec<Spring>,
-    /// The step of simulation or control (s), if it is known.
-    pub step: Option<f64>,
-    /// How a step is made.
-    pub integrator: Integrator,
-}
-
-impl Default for Drive {
-    fn default() -> Self {
-        Self { springs: Vec::new(), step: None, integrator: Integrator::SemiImplicitEuler }
-    }
-}
-
-impl Drive {
-    /// As a robot's own file drives and steps it.
-    pub fn of(loaded: &Loaded) -> Self {
-        let springs = loaded.springs.clone();
-        match loaded.stepping {
-            Some(own) => Self { springs, step: Some(own.step), integrator: own.integrator },
-            None => Self { springs, ..Self::default() },
-        }
-    }
-
-    /// The same with other stiffness on the degrees of freedom for which one is given, in place of that of actuators; what joints and
-    /// tendons have of their own stays.
-    pub fn with_stiffness(self, model: &Model<f64>, given: &[Option<f64>]) -> Self {
-        self.with_gains(model, given, |spring| &mut spring.stiffness)
-    }
-
-    /// The same for damping.
-    pub fn with_damping(self, model: &Model<f64>, given: &[Option<f64>]) -> Self {
-        self.with_gains(model, given, |spring| &mut spring.damping)
-    }
-
-    fn with_gains(
-        mut self,
-        model: &Model<f64>,
-        given: &[Option<f64>],
-        part: impl Fn(&mut Spring) -> &mut f64,
-    ) -> Self {
-        for spring in self.springs.iter_mut().filter(|spring| spring.source == SpringSource::Actuator) {
-            if spring.arms.iter().all(|&(d, _)| given[d].is_some()) {
-                *part(spring) = 0.0;
-            }
-        }
-        for (d, gain) in given.iter().enumerate().filter_map(|(d, gain)| Some((d, (*gain)?))) {
-            let (name, arms, source) = (model.dof_name(d), vec![(d, 1.0)], SpringSource::Actuator);
-            let mut spring = Spring { name, source, arms, stiffness: 0.0, damping: 0.0 };
-            *part(&mut spring) = gain;
-            self.springs.push(spring);
-        }
-        self
-    }
-}
 
 /// What steps and gains are stable.
 #[derive(Debug, Clone, PartialEq)]
