@@ -192,7 +192,7 @@ pub fn simulate<'py>(
         watches.push(Watch::new("interrupted", "", |_| {
             if interrupted.borrow().is_none() && last.elapsed() > PAUSE {
                 last = Instant::now();
-                *interrupted.borrow_mut() = Python::attach(|py| py.check_signals()).err();
+                *interrupted.borrow_mut() = Python::attach(ctrl_c).err();
             }
             if interrupted.borrow().is_some() { 1.0 } else { -1.0 }
         }));
@@ -251,6 +251,11 @@ pub fn simulate<'py>(
     details.set_item("note", note)?;
     details.set_item("t", PyArray1::from_vec(py, rows.t))?;
     Ok(py.import("eigenbody._results")?.getattr("Motion")?.call((), Some(&details))?)
+}
+
+/// The exception that Ctrl-C raises.
+fn ctrl_c(py: Python<'_>) -> PyResult<()> {
+    py.check_signals()
 }
 
 fn refused(error: SimulationError) -> Failure {
