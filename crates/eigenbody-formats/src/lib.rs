@@ -53,7 +53,7 @@ pub use metric::metric;
 pub use mjcf::{MjcfOptions, read_mjcf, read_mjcf_str};
 pub use motion::{Motion, MotionError, MotionOptions};
 pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
-pub use source::{LoadOptions, load};
+pub use source::{LoadOptions, load, load_from};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
 pub use velocity::velocity;
 pub use write::{WriteError, write_mjcf, write_urdf, write_urdf_with_rotors};

@@ -13,6 +13,7 @@ pub use stepping::SteppingReport;
 pub use text::diagnosis_text;
 
 use eigenbody::search::Measure;
+use eigenbody_formats::{Kind, Loaded, Location};
 use eigenbody_study::diagnosis::{
     Blame, Diagnosis, Finding, Goal, Mechanism, NullMotion, Remedies, Sensitivity, Worst,
 };
@@ -258,7 +259,7 @@ impl From<&Worst> for WorstReport {
             );
         }
         Self {
-            measure: name(spread.measure),
+            measure: measure_name(spread.measure),
             worst: finite(spread.worst),
             median: finite(spread.median),
             tenth: finite(spread.tenth),
@@ -270,7 +271,8 @@ impl From<&Worst> for WorstReport {
     }
 }
 
-fn name(measure: Measure) -> &'static str {
+/// What a measure is called.
+pub(crate) fn measure_name(measure: Measure) -> &'static str {
     match measure {
         Measure::Kappa => "kappa",
         Measure::KappaWeighted => "kappa_weighted",
@@ -317,6 +319,25 @@ impl DiagnosisReport {
             comparison: None,
             advice: None,
         }
+    }
+
+    /// What a diagnosis says about the robot of a text, with the places of joints in its file.
+    pub fn of(model: &str, loaded: &Loaded, found: &Diagnosis) -> Self {
+        let Kind::File(path) = &loaded.kind else { return Self::new(model, found, Vec::new()) };
+        let place = |(file, at): (&str, Location)| PlaceReport {
+            file: file.to_owned(),
+            line: at.line,
+            column: at.column,
+        };
+        let remarks = loaded.remarks().into_iter().map(|remark| {
+            let at = remark.place.as_ref().map(|(file, at)| place((file, *at)));
+            RemarkReport::new(remark.code, remark.subject, remark.text, at)
+        });
+        Self::new(model, found, loaded.findings()).located(
+            Some(path.display().to_string()),
+            |dof| loaded.place_of_dof(dof).map(place),
+            remarks.collect(),
+        )
     }
 
     /// The same with advice.
