@@ -1,7 +1,7 @@
 /** The server's endpoints as functions. */
 
 import type {
-  Description, Edits, Evaluation, Figure, KappaMap, Options, Patch, PatchFormat, Path, Problem, Source, Start, Swing, Want,
+  Check, Description, Edits, Evaluation, Figure, KappaMap, Options, Patch, PatchFormat, Path, Problem, Source, Start, Swing, Want,
 } from "./types";
 
 /** An answer that says what is wrong, and where. */
@@ -65,7 +65,7 @@ export class Client {
     return this.call("POST", "map", { id, ...question });
   }
 
-  check(id: string, metric: string): Promise<Record<string, unknown>> {
+  check(id: string, metric: string): Promise<Check> {
     return this.call("POST", "check", { id, metric });
   }
 

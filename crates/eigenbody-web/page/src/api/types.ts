@@ -223,6 +223,24 @@ export interface Patch {
   note: string | null;
 }
 
+/** A finding of `eigenbody check`. */
+export interface CheckFinding {
+  id: string;
+  severity: "error" | "warning" | "note";
+  message: string;
+  advice: string;
+  joints: string[];
+  q: number[];
+  place: Place | null;
+}
+
+/** What `eigenbody check --format json` prints, as far as the page shows it. */
+export interface Check {
+  evaluations: number;
+  worst: { measure: "kappa" | "kappa_weighted" | "lambda_min"; worst: Maybe; median: Maybe; q: number[] }[];
+  findings: CheckFinding[];
+}
+
 export interface Problem {
   code: string;
   message: string;

@@ -23,4 +23,4 @@ test("ticks are round", () => {
 
 test("one value has a scale too", () => expect(scale({ low: 0, high: 0 }, false, 0, 1).at(0)).toBe(0.5));
 
-test("powers", () => expect([power(1e5), power(2e-7), power(0.5), power(1000)]).toEqual(["10⁵", "2·10⁻⁷", "0.5", "1000"]));
+test("powers", () => expect([power(1e5), power(2e-7), power(0.5), power(1000), power(1e4)]).toEqual(["10⁵", "2·10⁻⁷", "0.5", "1000", "10⁴"]));

@@ -76,7 +76,7 @@ const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** Powers of ten with raised exponents; what is near one as it is. */
 export function power(x: number): string {
-  if (x >= 0.0099 && x < 10001) return String(Number(x.toPrecision(3)));
+  if (x >= 0.0099 && x < 9999) return String(Number(x.toPrecision(3)));
   const exponent = Math.floor(Math.log10(x) + 1e-9);
   const head = Math.round(x / 10 ** exponent);
   const raised = [...String(Math.abs(exponent))].map((digit) => RAISED[Number(digit)]).join("");
