@@ -9,7 +9,7 @@ import { Latest } from "../state/latest";
 
 const POINTS = 121;
 const CURVES = [
-  { name: "κ", style: 2, line: true, markers: false },
+  { name: "κ", style: 0, line: true, markers: false },
   { name: "κ′", style: 1, line: true, markers: false },
 ];
 

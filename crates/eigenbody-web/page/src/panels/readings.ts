@@ -11,10 +11,11 @@ export function digitsLeft(precision: number, weighted: number): number {
 
 export function readings(explorer: Explorer): HTMLElement {
   const cell = (name: string, label: string, spoken: string) => {
-    const value = h("data", { class: "big", "data-number": name });
+    const value = h("data", { "data-number": name });
+    const unit = h("span", { class: "unit" });
     const more = h("span", { class: "more" });
     const term = h("dt", {}, h("span", { "aria-hidden": "true" }, label), h("span", { class: "away" }, spoken));
-    return { value, more, element: h("div", {}, term, h("dd", {}, value, more)) };
+    return { value, unit, more, element: h("div", {}, term, h("dd", {}, h("span", { class: "big" }, value, unit), more)) };
   };
   const kappa = cell("kappa", "κ", "kappa, condition number");
   const weighted = cell("kappa_weighted", "κ′", "kappa prime, condition number with every joint in units of its own inertia");
@@ -22,7 +23,8 @@ export function readings(explorer: Explorer): HTMLElement {
   const high = cell("lambda_max", "λmax", "largest eigenvalue");
   const note = h("p", { class: "block small", hidden: true });
   const put = (place: typeof kappa, x: number | null | undefined, nothing: string, unit = "", more = "") => {
-    place.value.textContent = x === null || x === undefined ? nothing : `${shown(x)}${unit ? ` ${unit}` : ""}`;
+    place.value.textContent = x === null || x === undefined ? nothing : shown(x);
+    place.unit.textContent = x === null || x === undefined ? "" : unit;
     place.value.setAttribute("value", x === null || x === undefined ? "" : String(x));
     place.more.textContent = more;
   };

@@ -24,8 +24,8 @@ export class Eye {
   load(model: Description): void {
     const up = new Vector3(...model.gravity).negate();
     this.up.copy(up.lengthSq() > 0 ? up.normalize() : new Vector3(0, 0, 1));
-    // Azimuth zero looks along −x where up is z, and at the x-y plane where up is y.
-    this.east.copy(Math.abs(this.up.y) > 0.9 ? new Vector3(0, 0, 1) : new Vector3(1, 0, 0));
+    // Azimuth zero is before a robot that faces x; where up is y, as for the families, the first look is nearly square to their plane.
+    this.east.copy(Math.abs(this.up.y) > 0.9 ? new Vector3(-0.4, 0, 1).normalize() : new Vector3(1, 0, 0));
     this.north.crossVectors(this.up, this.east).normalize();
     this.east.crossVectors(this.north, this.up);
     this.extent = model.extent > 0 ? model.extent : 1;
