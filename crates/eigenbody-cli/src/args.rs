@@ -40,6 +40,9 @@ pub enum Command {
     /// Many robots in many configurations, from one core to a cluster, as one Parquet table.
     #[cfg(feature = "parquet")]
     Sweep(SweepArgs),
+    /// The explorer: a page in the browser that shows a robot, its modes and κ while it is moved. For this machine alone.
+    #[cfg(feature = "web")]
+    Serve(ServeArgs),
     /// The tree, the degrees of freedom in order, masses, findings.
     Info(InfoArgs),
     /// The model in another format, its fixed joints merged.
@@ -72,6 +75,27 @@ pub struct ModelArgs {
     /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
     #[arg(long, value_name = "R")]
     pub size_ratio: Option<Dd>,
+}
+
+/// `eigenbody serve`.
+#[cfg(feature = "web")]
+#[derive(Debug, clap::Args)]
+pub struct ServeArgs {
+    /// What to show first: a URDF, MJCF or SDF file, `puma560`, or a family. Others are chosen, or dropped, on the page.
+    #[arg(default_value = "puma560")]
+    pub model: String,
+
+    /// What carries the root link.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+
+    /// Port of 127.0.0.1; any free one if it is not said.
+    #[arg(long, default_value_t = 0, hide_default_value = true)]
+    pub port: u16,
+
+    /// Open the page in the browser.
+    #[arg(long)]
+    pub open: bool,
 }
 
 /// Which robot, in which configuration.

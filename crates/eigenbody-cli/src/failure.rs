@@ -68,6 +68,15 @@ pub enum Failure {
         /// Why not.
         source: eigenbody_study::simulate::SimulationError,
     },
+    /// The explorer could not listen.
+    #[cfg(feature = "web")]
+    #[error("127.0.0.1:{port}: {source}")]
+    Listen {
+        /// The port that was asked for.
+        port: u16,
+        /// Why not.
+        source: io::Error,
+    },
     /// A folder cannot take the output.
     #[error("{}: {what}", path.display())]
     Folder {

@@ -35,6 +35,8 @@ fn main() -> ExitCode {
         Some(Command::Track(track)) => return ended(commands::track::run(track)),
         #[cfg(feature = "parquet")]
         Some(Command::Sweep(sweep)) => commands::sweep::run(sweep).map(|()| true),
+        #[cfg(feature = "web")]
+        Some(Command::Serve(serve)) => commands::serve::run(serve).map(|()| true),
         Some(Command::Info(info)) => commands::info::run(info).map(|()| true),
         Some(Command::Convert(convert)) => commands::convert::run(convert).map(|()| true),
     };

@@ -109,6 +109,8 @@ pub enum FileFault {
     Directory,
     #[error("larger than {limit} bytes")]
     TooLarge { limit: u64 },
+    #[error("not looked for: a text on its own has no files beside it")]
+    Alone,
     #[error("{0}")]
     Io(String),
 }

@@ -34,8 +34,16 @@ pub(crate) fn usage(name: &str) -> Option<String> {
     SIGNATURES.iter().find(|signature| signature.name == name).map(Signature::usage)
 }
 
-/// The family that a text names; none if it is no call of one. A size ratio R replaces ρ by R^(1/(N−1)).
-pub(crate) fn read(text: &str, size_ratio: Option<Dd>) -> Result<Option<Family>, FormatError> {
+/// The family that a text names, not yet built; none if it is no call of one. A size ratio R replaces ρ by R^(1/(N−1)).
+///
+/// ```
+/// let family = eigenbody_formats::family("hydra(40, 1, 0, 1)", None)?;
+/// assert_eq!(family.map(|family| family.links()), Some(40));
+/// # Ok::<(), eigenbody_formats::FormatError>(())
+/// ```
+/// Errors: [`FormatError::Expression`] for parameters that the family does not take, [`FormatError::Unsuitable`] for a size ratio that it
+/// does not.
+pub fn family(text: &str, size_ratio: Option<Dd>) -> Result<Option<Family>, FormatError> {
     let name = text.split_once('(').map(|(name, _)| name.trim());
     let Some(signature) = SIGNATURES.iter().find(|signature| Some(signature.name) == name) else {
         return Ok(None);

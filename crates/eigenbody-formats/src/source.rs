@@ -2,11 +2,12 @@
 
 use crate::error::FormatError;
 use crate::family;
+use crate::file::Shelf;
 use crate::loaded::{Kind, Loaded, Places};
-use crate::mjcf::{MjcfOptions, read_mjcf};
-use crate::sdf::{SdfOptions, read_sdf};
+use crate::mjcf::{self, MjcfOptions, read_mjcf};
+use crate::sdf::{self, SdfOptions, read_sdf};
 use crate::suggest::did_you_mean;
-use crate::urdf::{UrdfOptions, read_urdf};
+use crate::urdf::{UrdfOptions, read_urdf, read_urdf_str};
 use eigenbody::Base;
 use eigenbody::scalar::Dd;
 use std::path::Path;
@@ -49,7 +50,7 @@ pub fn load_from(folder: &Path, text: &str, options: &LoadOptions) -> Result<Loa
     if text == PUMA560 {
         return puma560(options);
     }
-    if let Some(family) = family::read(text, options.size_ratio)? {
+    if let Some(family) = family::family(text, options.size_ratio)? {
         let family = if options.base == Base::Floating { family.floating() } else { family };
         let model = family
             .model()
@@ -60,6 +61,30 @@ pub fn load_from(folder: &Path, text: &str, options: &LoadOptions) -> Result<Loa
     match path.exists() {
         true => file(&path, options),
         false => Err(no_model(text)),
+    }
+}
+
+/// The model that the text of a file describes: URDF, MJCF or SDF, by its root element. `file_name` is what errors call it.
+///
+/// The text stands alone: included files and meshes that it names are not looked for, and one that is needed is an error. For texts
+/// from elsewhere.
+///
+/// ```
+/// use eigenbody_formats::{LoadOptions, load_text};
+/// let text = r#"<mujoco><include file="/etc/passwd"/></mujoco>"#;
+/// let error = load_text(text, "dropped.xml", &LoadOptions::default()).unwrap_err();
+/// assert!(error.to_string().starts_with("dropped.xml:1:18: "));
+/// ```
+/// Errors: [`FormatError`].
+pub fn load_text(text: &str, file_name: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
+    no_size_ratio(file_name, options)?;
+    let (path, base) = (Path::new(file_name), options.base);
+    match root_tag(text.as_bytes()) {
+        b"mujoco" | b"mujocoinclude" => {
+            mjcf::read_text(text.to_owned(), path, &MjcfOptions { base }, Shelf::Empty)
+        }
+        b"sdf" => sdf::read_text(text.to_owned(), path, &SdfOptions { base }, Shelf::Empty),
+        _ => read_urdf_str(text, file_name, &UrdfOptions { base }),
     }
 }
 

@@ -23,6 +23,7 @@ pub mod claim;
 pub mod diagnosis;
 pub mod estimators;
 mod experiment;
+pub mod explore;
 pub mod featherstone;
 pub mod fit;
 mod lab;

@@ -8,6 +8,8 @@ pub mod info;
 pub mod matrix;
 pub mod motion;
 pub mod reproduce;
+#[cfg(feature = "web")]
+pub mod serve;
 pub mod simulate;
 pub mod spectrum;
 #[cfg(feature = "parquet")]

@@ -5,7 +5,6 @@ use super::compiler::Compiler;
 use super::defaults::{Defaults, MAIN, Styled};
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mesh::{Enclosed, Mesh, MeshFault, Mode, enclosed};
-use crate::file;
 use crate::suggest::did_you_mean;
 use crate::xml::{Element, Files};
 use eigenbody::spatial::{Mat3, Vec3};
@@ -131,7 +130,7 @@ impl MeshAsset<'_> {
         let mut mesh = match element.find("file") {
             Some(attribute) => {
                 let path = folders.mesh(element, &attribute.value);
-                let bytes = file::contents(&path)
+                let bytes = folders.files.shelf.contents(&path)
                     .map_err(|fault| at(MeshFault::File { file: path.display().to_string(), fault }))?;
                 let kind = kind(element.get("content_type"), &path);
                 Mesh::read(&kind, &bytes, mirrored).map_err(at)?
@@ -204,9 +203,9 @@ impl Folders<'_> {
             true => name.rsplit(['/', '\\']).next().unwrap_or(name),
             false => name,
         };
-        let here = self.files.0.get(element.at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
+        let here = self.files.all.get(element.at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
         let meshdir = &self.settings.meshdir;
         let candidates = [self.main.join(meshdir).join(name), here.join(name), here.join(meshdir).join(name)];
-        candidates.iter().find(|path| path.exists()).unwrap_or(&candidates[0]).clone()
+        candidates.iter().find(|path| self.files.shelf.has(path)).unwrap_or(&candidates[0]).clone()
     }
 }

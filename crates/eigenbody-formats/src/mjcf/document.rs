@@ -3,7 +3,6 @@
 use super::fault::{Fault, MjcfFault, fault};
 use super::include::{Splicer, text};
 use super::schema;
-use crate::file;
 use crate::xml::{Element, Files, Spot};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -41,22 +40,24 @@ impl Model {
             return Err(fault(root.at, MjcfFault::Root { tag: root.tag }));
         }
         schema::check(&root)?;
-        above.push(std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
+        above.push(files.shelf.canonical(path));
         let named = root.children_named("asset").flat_map(|a| a.children_named("model"));
         let mut models = Vec::new();
         for element in named {
             let at = element.spot_of("file");
             let file = element.get("file").unwrap_or_default();
-            let here = files.0.get(at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
+            let here = files.all.get(at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
             let candidates = [folder.join(file), here.join(file)];
-            let path = candidates.iter().find(|path| path.exists()).unwrap_or(&candidates[0]);
-            let known = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
-            if above.contains(&known) || files.0.len() >= MAX_FILES {
+            let path = candidates.iter().find(|path| files.shelf.has(path)).unwrap_or(&candidates[0]);
+            let known = files.shelf.canonical(path);
+            if above.contains(&known) || files.all.len() >= MAX_FILES {
                 return Err(fault(at, MjcfFault::IncludedTwice { file: file.to_owned() }));
             }
-            let bytes = file::contents(path)
+            let bytes = files
+                .shelf
+                .contents(path)
                 .map_err(|problem| fault(at, MjcfFault::Include { file: file.to_owned(), fault: problem }))?;
-            let contents = text(bytes, files.0.len() as u32, path, files)?;
+            let contents = text(bytes, files.all.len() as u32, path, files)?;
             let name = path.display().to_string();
             models.push((element.at, Self::load_below(contents, path, &name, files, above)?));
         }

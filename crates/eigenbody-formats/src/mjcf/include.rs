@@ -1,7 +1,6 @@
 //! `<include>`: the elements of another file in its place.
 
 use super::fault::{Fault, MjcfFault, fault};
-use crate::file;
 use crate::location::Location;
 use crate::xml::{self, Element, Files, SourceFile, Spot};
 use std::collections::HashSet;
@@ -33,11 +32,11 @@ impl<'a> Splicer<'a> {
     }
 
     fn parse(&mut self, text: String, name: &str, folder: &Path) -> Result<Element, Fault> {
-        let file = self.files.0.len() as u32;
+        let file = self.files.all.len() as u32;
         let root = xml::parse(&text, file).map_err(|(at, problem)| {
             fault(Spot { file, offset: offset_of(&text, at) }, MjcfFault::Xml(problem))
         });
-        self.files.0.push(SourceFile { name: name.to_owned(), folder: folder.to_owned(), text });
+        self.files.all.push(SourceFile { name: name.to_owned(), folder: folder.to_owned(), text });
         root
     }
 
@@ -74,16 +73,16 @@ impl<'a> Splicer<'a> {
             ));
         };
         let at = include.spot_of("file");
-        let here = self.files.0.get(include.at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
+        let here = self.files.all.get(include.at.file as usize).map(|f| f.folder.clone()).unwrap_or_default();
         let candidates = [self.folder.join(name), here.join(name)];
-        let path = candidates.iter().find(|path| path.exists()).unwrap_or(&candidates[0]);
-        let known = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
+        let path = candidates.iter().find(|path| self.files.shelf.has(path)).unwrap_or(&candidates[0]);
+        let known = self.files.shelf.canonical(path);
         if !self.included.insert(known) {
             return Err(fault(at, MjcfFault::IncludedTwice { file: name.to_owned() }));
         }
-        let bytes = file::contents(path)
+        let bytes = self.files.shelf.contents(path)
             .map_err(|problem| fault(at, MjcfFault::Include { file: name.to_owned(), fault: problem }))?;
-        let text = text(bytes, self.files.0.len() as u32, path, self.files)?;
+        let text = text(bytes, self.files.all.len() as u32, path, self.files)?;
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
         let mut root = self.parse(text, &path.display().to_string(), &folder)?;
         if root.children.is_empty() {
@@ -101,7 +100,7 @@ pub(super) fn text(bytes: Vec<u8>, file: u32, path: &Path, files: &mut Files) ->
         let byte = error.as_bytes().get(offset).copied().unwrap_or_default();
         let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-        files.0.push(SourceFile { name: path.display().to_string(), folder, text });
+        files.all.push(SourceFile { name: path.display().to_string(), folder, text });
         fault(Spot { file, offset }, MjcfFault::Xml(xml::XmlFault::NotUtf8 { byte }))
     })
 }

@@ -34,6 +34,7 @@ pub use fault::MjcfFault;
 pub use mesh::MeshFault;
 
 use crate::error::FormatError;
+use crate::file::Shelf;
 use crate::loaded::{Kind, Loaded, Note, Places, Stepping};
 use crate::xml::{Files, Spot};
 use asset::Assets;
@@ -70,7 +71,7 @@ pub fn read_mjcf(path: &Path, options: &MjcfOptions) -> Result<Loaded, FormatErr
     let bytes = crate::file::read(path)?;
     let mut files = Files::default();
     let text = include::text(bytes, 0, path, &mut files).map_err(|problem| located(problem, &files))?;
-    read_text(text, path, options)
+    read_text(text, path, options, Shelf::Disk)
 }
 
 /// Reads the text of an MJCF file; `file_name` is what errors call it, and included files are looked for beside it.
@@ -85,12 +86,18 @@ pub fn read_mjcf(path: &Path, options: &MjcfOptions) -> Result<Loaded, FormatErr
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_mjcf_str(text: &str, file_name: &str, options: &MjcfOptions) -> Result<Loaded, FormatError> {
-    read_text(text.to_owned(), Path::new(file_name), options)
+    read_text(text.to_owned(), Path::new(file_name), options, Shelf::Disk)
 }
 
-fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded, FormatError> {
+/// Reads a text whose files stand on a shelf.
+pub(crate) fn read_text(
+    text: String,
+    path: &Path,
+    options: &MjcfOptions,
+    shelf: Shelf,
+) -> Result<Loaded, FormatError> {
     let name = path.display().to_string();
-    let mut files = Files::default();
+    let mut files = Files { shelf, ..Files::default() };
     let source = Source::load(text, path, &name, &mut files).map_err(|problem| located(problem, &files))?;
     let built = build(&source, &files, path, options).map_err(|problem| match problem {
         Problem::Fault(problem) => located(*problem, &files),
@@ -105,7 +112,7 @@ fn read_text(text: String, path: &Path, options: &MjcfOptions) -> Result<Loaded,
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
-        files: files.0.iter().map(|file| file.name.clone()).collect(),
+        files: files.all.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
         joint_names,

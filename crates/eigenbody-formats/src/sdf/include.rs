@@ -2,7 +2,6 @@
 
 use super::fault::{Fault, SdfFault, boolean_in, child, fault, required, unsupported};
 use crate::error::FileFault;
-use crate::file;
 use crate::location::Location;
 use crate::xml::{self, Element, Files, SourceFile, Spot};
 use std::path::{Path, PathBuf};
@@ -20,18 +19,18 @@ pub(super) struct Splicer<'a> {
 impl Splicer<'_> {
     /// The root of a text, everything included.
     pub fn root(&mut self, text: String, path: &Path, name: &str) -> Result<Element, Fault> {
-        let file = self.files.0.len() as u32;
+        let file = self.files.all.len() as u32;
         let root = xml::parse(&text, file).map_err(|(at, problem)| {
             let offset = offset_of(&text, at);
             fault(Spot { file, offset }, SdfFault::Xml(problem))
         });
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-        self.files.0.push(SourceFile { name: name.to_owned(), folder, text });
+        self.files.all.push(SourceFile { name: name.to_owned(), folder, text });
         let mut root = root?;
         if root.tag != "sdf" {
             return Err(fault(root.at, SdfFault::Root { tag: root.tag }));
         }
-        self.open.push(std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
+        self.open.push(self.files.shelf.canonical(path));
         self.splice(&mut root)?;
         self.open.pop();
         Ok(root)
@@ -56,11 +55,11 @@ impl Splicer<'_> {
         let uri = &required(include, "uri")?.text;
         let refused = |problem| fault(include.at, SdfFault::Include { uri: uri.clone(), fault: problem });
         let path = self.find(include, uri).ok_or_else(|| refused(FileFault::Missing))?;
-        let known = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
-        if self.open.contains(&known) || self.files.0.len() >= MAX_FILES {
+        let known = self.files.shelf.canonical(&path);
+        if self.open.contains(&known) || self.files.all.len() >= MAX_FILES {
             return Err(fault(include.at, SdfFault::IncludeLoop { uri: uri.clone(), limit: MAX_FILES }));
         }
-        let bytes = file::contents(&path).map_err(refused)?;
+        let bytes = self.files.shelf.contents(&path).map_err(refused)?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let root = self.root(text, &path, &path.display().to_string())?;
         let model = root.children.into_iter().find(|c| c.tag == "model");
@@ -92,15 +91,11 @@ impl Splicer<'_> {
 
     /// The file of a URI: beside the including file, or in a folder of that name beside it or above.
     fn find(&self, include: &Element, uri: &str) -> Option<PathBuf> {
-        let folder = self.files.0.get(include.at.file as usize)?.folder.clone();
+        let folder = self.files.all.get(include.at.file as usize)?.folder.clone();
         let name = uri.strip_prefix("model://").or(uri.strip_prefix("file://")).unwrap_or(uri);
         let above = folder.join("..");
         let places = [folder.join(name), above.join(name)];
-        let file = |path: &PathBuf| match path.is_dir() {
-            true => Some(path.join("model.sdf")).filter(|path| path.is_file()),
-            false => Some(path.clone()).filter(|path| path.is_file()),
-        };
-        places.iter().find_map(file)
+        places.into_iter().find_map(|path| self.files.shelf.file(path, "model.sdf"))
     }
 }
 

@@ -19,6 +19,7 @@ mod scope;
 pub use fault::SdfFault;
 
 use crate::error::FormatError;
+use crate::file::Shelf;
 use crate::loaded::{Kind as Source, Loaded, Note, Places};
 use crate::xml::{Files, Spot, XmlFault};
 use eigenbody::Base;
@@ -48,7 +49,7 @@ pub fn read_sdf(path: &Path, options: &SdfOptions) -> Result<Loaded, FormatError
         let fault = Box::new(SdfFault::Xml(XmlFault::NotUtf8 { byte }));
         FormatError::Sdf { file: path.display().to_string(), at, fault }
     })?;
-    read_text(text, path, options)
+    read_text(text, path, options, Shelf::Disk)
 }
 
 /// Reads the text of an SDF file; `file_name` is what errors call it, and included files are looked for beside it.
@@ -63,12 +64,18 @@ pub fn read_sdf(path: &Path, options: &SdfOptions) -> Result<Loaded, FormatError
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_sdf_str(text: &str, file_name: &str, options: &SdfOptions) -> Result<Loaded, FormatError> {
-    read_text(text.to_owned(), Path::new(file_name), options)
+    read_text(text.to_owned(), Path::new(file_name), options, Shelf::Disk)
 }
 
-fn read_text(text: String, path: &Path, options: &SdfOptions) -> Result<Loaded, FormatError> {
+/// Reads a text whose files stand on a shelf.
+pub(crate) fn read_text(
+    text: String,
+    path: &Path,
+    options: &SdfOptions,
+    shelf: Shelf,
+) -> Result<Loaded, FormatError> {
     let file_name = path.display().to_string();
-    let mut files = Files::default();
+    let mut files = Files { shelf, ..Files::default() };
     let located = |Fault { at, fault }: Fault, files: &Files| {
         let (file, at) = files.locate(at);
         FormatError::Sdf { file: file.to_owned(), at, fault: Box::new(fault) }
@@ -83,7 +90,7 @@ fn read_text(text: String, path: &Path, options: &SdfOptions) -> Result<Loaded, 
     let Built { model, link_spots, joint_spots, joint_names, cut } =
         parts.build(options.base).map_err(|problem| located(problem, &files))?;
     let places = Places {
-        files: files.0.iter().map(|file| file.name.clone()).collect(),
+        files: files.all.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
         joints: files.locate_all(&joint_spots),
         joint_names,

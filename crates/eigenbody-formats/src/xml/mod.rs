@@ -10,6 +10,7 @@ pub use parse::XmlFault;
 pub(crate) use parse::parse;
 
 use crate::error::shortened;
+use crate::file::Shelf;
 use crate::location::Location;
 use std::path::PathBuf;
 
@@ -31,14 +32,17 @@ pub(crate) struct SourceFile {
     pub text: String,
 }
 
-/// The files of one model, in the order in which they were opened.
+/// The files of one model, in the order in which they were opened, and where more may be read from.
 #[derive(Debug, Default)]
-pub(crate) struct Files(pub Vec<SourceFile>);
+pub(crate) struct Files {
+    pub all: Vec<SourceFile>,
+    pub shelf: Shelf,
+}
 
 impl Files {
     /// The name of a spot's file, and the line and column.
     pub fn locate(&self, spot: Spot) -> (&str, Location) {
-        match self.0.get(spot.file as usize) {
+        match self.all.get(spot.file as usize) {
             Some(file) => (&file.name, Location::at(file.text.as_bytes(), spot.offset)),
             None => ("", Location::START),
         }
@@ -52,7 +56,7 @@ impl Files {
         for group in order.chunk_by(|&a, &b| spots[a].file == spots[b].file) {
             let Some(&first) = group.first() else { continue };
             let file = spots[first].file;
-            let Some(source) = self.0.get(file as usize) else { continue };
+            let Some(source) = self.all.get(file as usize) else { continue };
             let offsets: Vec<usize> = group.iter().map(|&i| spots[i].offset).collect();
             let places = Location::all(source.text.as_bytes(), &offsets);
             for (&i, place) in group.iter().zip(places) {

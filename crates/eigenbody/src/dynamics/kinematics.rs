@@ -6,7 +6,7 @@
 //! Featherstone (2008), §4.4. Cost O(N): one sine-cosine pair an angle and one product of rotations.
 
 use crate::error::InputError;
-use crate::model::Model;
+use crate::model::{LinkInfo, Model};
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Motion, Transform};
 
@@ -79,6 +79,41 @@ pub fn link_pose<T: Real>(model: &Model<T>, q: &[T], link: usize) -> Result<Tran
     Ok(X)
 }
 
+/// Poses of all links in the world, in the order of [`Model::links`]: each as [`link_pose`] has it, all of them in O(N).
+///
+/// | name | shape | unit |
+/// |------|-------|------|
+/// | `q` | `nq` | rad, m, unit quaternion |
+/// | returned | one transform a link, from the world's frame to the link's | m |
+///
+/// Allocates. Errors: [`InputError`] if q does not fit the model.
+///
+/// ```
+/// use eigenbody::{Family, dynamics::{link_pose, link_poses}};
+/// let robot = Family::hydra(2, 1.0, 0.0, 1.0)?.model::<f64>()?;
+/// let poses = link_poses(&robot, &[0.3, -0.2])?;
+/// assert!((poses[2].r.x - link_pose(&robot, &[0.3, -0.2], 2)?.r.x).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn link_poses<T: Real>(model: &Model<T>, q: &[T]) -> Result<Vec<Transform<T>>, InputError> {
+    model.check_q(q)?;
+    let from_world = from_world(model, &Kinematics::at(model, q).X_up);
+    let pose = |link: &LinkInfo<T>| match link.body() {
+        Some(i) => link.link_from_body() * from_world[i],
+        None => link.link_from_body(),
+    };
+    Ok(model.links.iter().map(pose).collect())
+}
+
+/// From the world's frame to every body's.
+fn from_world<T: Scalar>(model: &Model<T>, X_up: &[Transform<T>]) -> Vec<Transform<T>> {
+    let mut found: Vec<Transform<T>> = Vec::with_capacity(X_up.len());
+    for (body, &X_up) in model.bodies.iter().zip(X_up) {
+        found.push(body.parent().map_or(X_up, |p| X_up * found[p]));
+    }
+    found
+}
+
 /// Every column of S in the world's coordinates: the motion of the world's origin, as part of the body, at unit rate.
 ///
 /// | name | shape | unit |
@@ -98,16 +133,11 @@ pub fn link_pose<T: Real>(model: &Model<T>, q: &[T], link: usize) -> Result<Tran
 /// ```
 pub fn axes<T: Real>(model: &Model<T>, q: &[T]) -> Result<Vec<Motion<T>>, InputError> {
     model.check_q(q)?;
-    let mut kinematics = Kinematics::new(model);
-    kinematics.update(model, q);
-    let Kinematics { X_up, mut S } = kinematics;
-    let mut from_world: Vec<Transform<T>> = Vec::with_capacity(X_up.len());
-    for (body, &X_up) in model.bodies.iter().zip(&X_up) {
-        let X = body.parent().map_or(X_up, |p| X_up * from_world[p]);
+    let Kinematics { X_up, mut S } = Kinematics::at(model, q);
+    for (body, X) in model.bodies.iter().zip(from_world(model, &X_up)) {
         for S in &mut S[body.dofs()] {
             *S = X.inverse_motion(*S);
         }
-        from_world.push(X);
     }
     Ok(S)
 }

@@ -32,7 +32,7 @@ pub(crate) use floating::BASE;
 pub use floating::{FloatingWorkspace, floating_mass_matrix, floating_mass_matrix_into};
 pub use gradient::{GradientWorkspace, kinetic_energy_gradient, kinetic_energy_gradient_into};
 pub use inertial::{InertialGradient, inertial_gradient};
-pub use kinematics::{Kinematics, axes, link_pose};
+pub use kinematics::{Kinematics, axes, link_pose, link_poses};
 pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
 pub use reduction::Reduction;
 pub(crate) use reroot::{Rerooted, TreeBody};

@@ -139,6 +139,16 @@ impl Family {
         Self { base: Base::Floating, ..self }
     }
 
+    /// N: number of links.
+    pub fn links(&self) -> usize {
+        self.n
+    }
+
+    /// What carries link 1; floating is [`floating`](Self::floating)'s.
+    pub fn base(&self) -> Base {
+        self.base
+    }
+
     /// Link that carries link i, both counted from 1; 0 is the base.
     ///
     /// ```

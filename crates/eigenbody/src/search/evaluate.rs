@@ -151,7 +151,9 @@ impl<'m> Evaluator<'m> {
         if x.len() != expected {
             return Err(InputError::Length { what: "x", expected, found: x.len() }.into());
         }
-        Ok(self.lifted(&mass_matrix(self.model, q)?, x))
+        // The matrix is needed only where a base floats along.
+        let H = if self.reduction.base { mass_matrix(self.model, q)? } else { Matrix::zeros(0, 0) };
+        Ok(self.lifted(&H, x))
     }
 
     fn question(&self, metric: Metric<f64>) -> Question {

@@ -123,6 +123,36 @@ impl<T: Scalar> Mat3<T> {
         Self::IDENTITY - K * (s * w) + K * K * s
     }
 
+    /// The unit quaternion w, x, y, z whose [`rotation_quaternion`](Self::rotation_quaternion) this is, w ≥ 0.
+    ///
+    /// Method: the largest of the four components by a square root, the others by division (Shepperd 1978). Numerics: a few ε.
+    pub fn quaternion(self) -> [T; 4]
+    where
+        T: Real,
+    {
+        let Self { x, y, z } = self;
+        // 4w², 4x², 4y², 4z², and the products 4wx, .. that stand in E = 1 − 2w[v]× + 2[v]×².
+        let squares = [
+            T::ONE + x.x + y.y + z.z,
+            T::ONE + x.x - y.y - z.z,
+            T::ONE - x.x + y.y - z.z,
+            T::ONE - x.x - y.y + z.z,
+        ];
+        let (wx, wy, wz) = (y.z - z.y, z.x - x.z, x.y - y.x);
+        let (xy, xz, yz) = (x.y + y.x, x.z + z.x, y.z + z.y);
+        let rows = [
+            [squares[0], wx, wy, wz],
+            [wx, squares[1], xy, xz],
+            [wy, xy, squares[2], yz],
+            [wz, xz, yz, squares[3]],
+        ];
+        let largest = (1..4).fold(0, |k, i| if squares[i] > squares[k] { i } else { k });
+        let twice = squares[largest].sqrt();
+        let sign = if rows[largest][0] < T::ZERO { -T::ONE } else { T::ONE };
+        let scale = sign * T::from_f64(0.5) / twice;
+        rows[largest].map(|row| row * scale)
+    }
+
     /// Coordinate rotation E, old frame to new, of roll-pitch-yaw angles: R = Rz(yaw) Ry(pitch) Rx(roll), E = Rᵀ.
     pub fn rotation_rpy(roll: T, pitch: T, yaw: T) -> Self {
         let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());

@@ -1,7 +1,7 @@
 use super::largest;
 use crate::robots::{configuration, numbers, plan};
 use eigenbody::Base;
-use eigenbody::dynamics::{link_pose, momentum};
+use eigenbody::dynamics::{link_pose, link_poses, momentum};
 use eigenbody::scalar::Real;
 use eigenbody::spatial::Vec3;
 
@@ -15,11 +15,15 @@ fn poses_place_the_mass<T: Real>() {
         let model = plan.build(base);
         let q = configuration(&model, seed);
         let total = momentum(&model, &q, &numbers(model.nv(), seed)).unwrap();
+        let all = link_poses(&model, &q).unwrap();
         let (mut mass, mut moment) = (T::ZERO, Vec3::ZERO);
         for (i, link) in model.links().iter().enumerate() {
             if link.body().is_some() {
                 let inertia = plan.links[i].inertia;
-                let X = link_pose(&model, &q, i).unwrap();
+                let (X, one) = (all[i], link_pose(&model, &q, i).unwrap());
+                // 8 n ε of the reach
+                let apart = largest(&[(X.r - one.r).to_array(), (X.E.x - one.E.x).to_array()].concat());
+                assert!(apart <= 8.0 * (plan.links.len() as f64).powi(2) * T::EPSILON, "seed {seed}: {apart:e}");
                 mass += inertia.m;
                 moment += X.E.transpose_times(inertia.h) + X.r * inertia.m;
             }
