@@ -53,7 +53,8 @@ fn text(figures: &Figures) -> String {
         get("2 processes cpu") / get("1 process cpu"),
         get("2 processes busier"),
         get("alone"),
-        (get("alone") + get("1 process cpu")) / (get("alone") + get("2 processes cpu") * get("2 processes busier")),
+        (get("alone") + get("1 process cpu"))
+            / (get("alone") + get("2 processes cpu") * get("2 processes busier")),
         get("dask chunks at kill"),
         get("kill first"),
         get("kill last"),

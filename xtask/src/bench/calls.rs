@@ -55,10 +55,11 @@ fn text(figures: &Figures) -> String {
         ]);
     }
     let head = ["call, n = 7 (xarm7)", "from Python", "from Rust", "more", "Pinocchio from Python", "ratio"];
-    let batches = [("into memory that is there", "batch"), ("into new memory", "batch new")].map(|(what, name)| {
-        let (python, rust) = (get(&format!("python {name}")), get(&format!("rust {name}")));
-        vec![what.to_owned(), time(python), time(rust), format!("{:.3}", python / rust)]
-    });
+    let batches =
+        [("into memory that is there", "batch"), ("into new memory", "batch new")].map(|(what, name)| {
+            let (python, rust) = (get(&format!("python {name}")), get(&format!("rust {name}")));
+            vec![what.to_owned(), time(python), time(rust), format!("{:.3}", python / rust)]
+        });
     format!(
         "{}\n{}\nMedians of {ROUNDS} rounds in which Rust and Python took turns; within a round each figure is the best of several. Goals: \
          at most 1.5 µs more than Rust and less than Pinocchio; batches at most 1.05 times those of Rust.\n",
