@@ -268,7 +268,7 @@ fn models_are_kept_while_they_are_used() {
     let first = server.model(&source)["id"].clone();
     assert_eq!(server.model(&source)["id"], first, "the same robot is made once");
     let used = server.model(&json!({ "family": "hydra(2)" }));
-    for n in 0..64 {
+    for n in 0..128 {
         server.model(&json!({ "family": format!("hydra({})", 4 + n) }));
         assert_eq!(server.post("/api/evaluate", &json!({ "id": used["id"], "q": [0, 0] })).status, 200);
     }

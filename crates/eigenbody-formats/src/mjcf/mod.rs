@@ -31,7 +31,7 @@ mod spring;
 mod world;
 
 pub use fault::MjcfFault;
-pub use mesh::MeshFault;
+pub use mesh::{Mesh, MeshFault};
 
 use crate::error::FormatError;
 use crate::file::Shelf;
