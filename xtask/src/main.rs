@@ -12,6 +12,7 @@ mod steps;
 mod studies;
 mod suite;
 mod survey;
+mod sweep;
 
 use std::process::ExitCode;
 
@@ -24,7 +25,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 14] = [
+const TASKS: [Task; 16] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -60,6 +61,16 @@ const TASKS: [Task; 14] = [
         name: "tracking",
         about: "the tracker beside Pinocchio and LAPACK, into docs/performance.md",
         run: bench::tracking,
+    },
+    Task {
+        name: "python-bench",
+        about: "calls from Python beside Rust and Pinocchio, into docs/performance.md",
+        run: bench::calls::calls,
+    },
+    Task {
+        name: "sweep",
+        about: "200,000 cases on every engine, killed and resumed, into docs/performance.md",
+        run: sweep::sweep,
     },
     Task {
         name: "bench",

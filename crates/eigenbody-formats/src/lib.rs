@@ -57,7 +57,7 @@ pub use mjcf::{Mesh, MeshFault, MjcfOptions, read_mjcf, read_mjcf_str};
 pub use motion::{Motion, MotionError, MotionOptions};
 pub use sdf::{SdfOptions, read_sdf, read_sdf_str};
 pub use shape::Shape;
-pub use source::{LoadOptions, load, load_text};
+pub use source::{LoadOptions, load, load_from, load_text};
 pub use urdf::{UrdfOptions, read_urdf, read_urdf_str};
 pub use velocity::velocity;
 pub use write::{WriteError, write_mjcf, write_urdf, write_urdf_with_rotors};

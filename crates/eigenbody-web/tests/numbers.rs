@@ -177,7 +177,7 @@ fn a_check_is_that_of_the_command_line() {
     let loaded = load_text(ARM, "arm.urdf", &LoadOptions::default()).unwrap();
     let reduction = Reduction { mimic: true, base: false };
     let question =
-        diagnosis::Question { reduction, drive: Drive::from(&loaded), ..diagnosis::Question::default() };
+        diagnosis::Question { reduction, drive: Drive::of(&loaded), ..diagnosis::Question::default() };
     let effort = eigenbody::search::Effort { samples: 256, ..question.effort };
     let expected = diagnose(&loaded.model, &diagnosis::Question { effort, ..question }, |_| ()).unwrap();
     let report = DiagnosisReport::of("arm.urdf", &loaded, &expected);

@@ -47,6 +47,7 @@ struct Description<'a> {
     q0: Vec<f64>,
     unit: &'static str,
     findings: Vec<FindingView>,
+    text: Option<&'a str>,
     patch: Patch,
     limits: Limits,
 }
@@ -258,6 +259,7 @@ fn describe<'r>(robot: &'r Robot, explorer: &Explorer) -> Result<Description<'r>
                 place: remark.place.map(|(file, at)| PlaceView { file, line: at.line, column: at.column }),
             })
             .collect(),
+        text: robot.text.as_deref(),
         patch: Patch { urdf: urdf.is_none(), mjcf: mjcf.is_none(), why: Why { urdf, mjcf } },
         limits: Limits::of(robot),
     })

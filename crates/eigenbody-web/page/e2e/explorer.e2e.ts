@@ -1,0 +1,414 @@
+/** The explorer as people use it. */
+
+import { readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import { coordinates, drop, FIXTURES, g1, inked, NARROW, NO_WEBGL, reading, Server, Session, settled, spectrum, type Reading } from "./harness";
+
+const READINGS: Reading[] = ["kappa", "kappa_weighted", "lambda_min", "lambda_max"];
+const arm = readFileSync(join(FIXTURES, "arm.urdf"), "utf8");
+const broken = readFileSync(join(FIXTURES, "broken.urdf"), "utf8");
+
+let server: Server;
+let session: Session;
+beforeAll(async () => {
+  server = await Server.start("puma560", "--port", "0");
+});
+afterAll(() => server.stop());
+beforeEach(async () => {
+  session = await Session.start(server.url);
+});
+afterEach(() => session.stop());
+
+/** The page's numbers are those that the command line prints for the page's configuration, to the bit. */
+async function agrees(page: Page, model: string, ...more: string[]): Promise<void> {
+  await settled(page);
+  const told = spectrum(model, coordinates(page), ...more);
+  for (const name of READINGS) expect([name, await reading(page, name)]).toEqual([name, told[name]]);
+}
+
+/** Drags a slider by its thumb to a part of its length. */
+async function slide(page: Page, label: string, part: number): Promise<void> {
+  const slider = page.getByRole("slider", { name: label, exact: true });
+  await slider.scrollIntoViewIfNeeded();
+  const box = (await slider.boundingBox())!;
+  const y = box.y + box.height / 2;
+  const [low, high, value] = await slider.evaluate((input: HTMLInputElement) => [Number(input.min), Number(input.max), Number(input.value)] as const);
+  await page.mouse.move(box.x + 8 + ((value - low) / (high - low)) * (box.width - 16), y);
+  await page.mouse.down();
+  for (let k = 1; k <= 12; k++) await page.mouse.move(box.x + box.width * (0.5 + (part - 0.5) * (k / 12)), y);
+  await page.mouse.up();
+}
+
+const tab = (page: Page, name: string) => page.getByRole("tab", { name }).click();
+
+test("a slider moves a built-in arm, and κ is what the command line says", async () => {
+  const page = await session.page();
+  await settled(page);
+  const before = await reading(page, "kappa");
+  await slide(page, "joint_3", 0.8);
+  await agrees(page, "puma560");
+  expect(await reading(page, "kappa")).not.toBe(before);
+  expect(coordinates(page).filter((x) => x !== 0)).toHaveLength(5);
+  session.clean();
+});
+
+test("a joint is dragged in the view", async () => {
+  const page = await session.page("m=hydra(4,1,0,1)&q=0.3,0.3,0.3,0.3&show=skeleton&eye=0.4,0,14,2,0.5,0");
+  await settled(page);
+  const box = (await page.locator(".stage canvas").boundingBox())!;
+  // Somewhere on the robot: where the pointer finds a joint to move.
+  let at: [number, number] | null = null;
+  for (let k = 20; k < 80 && !at; k++) {
+    const point: [number, number] = [box.x + (box.width * k) / 100, box.y + box.height * 0.5];
+    await page.mouse.move(...point);
+    if (await page.locator(".stage canvas.grab").count()) at = point;
+  }
+  expect(at).not.toBeNull();
+  await page.mouse.down();
+  for (let k = 1; k <= 8; k++) await page.mouse.move(at![0], at![1] - 6 * k);
+  await page.mouse.up();
+  await agrees(page, "hydra(4,1,0,1)");
+  expect(coordinates(page).filter((x) => x !== 0.3)).toHaveLength(1);
+  session.clean();
+});
+
+test("a file with an error is refused at its line, and the robot before stays", async () => {
+  const page = await session.page();
+  await settled(page);
+  await drop(page, "broken.urdf", broken);
+  const line = page.locator('.text li[data-line="14"]');
+  await line.waitFor();
+  expect(await line.textContent()).toContain('<mass value="two"/>');
+  expect(await line.locator(".note.error").textContent()).toContain("expected a finite number");
+  expect(await page.getByRole("alert").textContent()).toContain("broken.urdf:14:13");
+  expect(await page.getByRole("heading", { level: 1 }).textContent()).toContain("puma560");
+  // The browser itself says on the console that an answer was 422.
+  session.clean([/status of 422/]);
+});
+
+test("a file with a fault shows it at its line; with another armature κ is another", async () => {
+  const page = await session.page();
+  await settled(page);
+  await drop(page, "arm.urdf", arm);
+  await page.locator('.text li[data-line="18"] .note').waitFor();
+  expect(await page.locator('.text li[data-line="18"]').textContent()).toContain("not physical");
+  await agrees(page, join(FIXTURES, "arm.urdf"));
+  const before = await reading(page, "kappa");
+  const box = page.getByRole("textbox", { name: "wrist (kg m²)" });
+  await box.fill("0.1");
+  await box.press("Enter");
+  await expect.poll(() => reading(page, "kappa")).toBeLessThan(before / 100);
+  await settled(page);
+
+  // The saved file, read by the command line, has the same κ.
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save as MJCF" }).click();
+  const patch = join(mkdtempSync(join(tmpdir(), "eigenbody-e2e-")), "arm.xml");
+  await (await download).saveAs(patch);
+  const told = spectrum(patch, coordinates(page).length > 0 ? coordinates(page) : [0, 0, 0]);
+  const kappa = await reading(page, "kappa");
+  expect(Math.abs(told.kappa / kappa - 1)).toBeLessThan(1e-12);
+  session.clean();
+});
+
+test("a file is chosen by keyboard too, and its mass changed", async () => {
+  const page = await session.page();
+  await settled(page);
+  await page.locator('header input[type="file"]').setInputFiles(join(FIXTURES, "arm.urdf"));
+  await page.getByRole("heading", { level: 1, name: "arm.urdf" }).waitFor();
+  await settled(page);
+  const before = await reading(page, "lambda_max");
+  const box = page.getByRole("textbox", { name: "forearm (kg)" });
+  await box.fill("4");
+  await box.press("Enter");
+  await expect.poll(() => reading(page, "lambda_max")).toBeGreaterThan(1.3 * before);
+  // What is dropped is as the command line has it, changed by hand.
+  const heavy = join(mkdtempSync(join(tmpdir(), "eigenbody-e2e-")), "heavy.urdf");
+  writeFileSync(heavy, arm.replace('<mass value="2"/>\n      <inertia ixx="0.016" iyy="0.016" izz="0.0016"', '<mass value="4"/>\n      <inertia ixx="0.032" iyy="0.032" izz="0.0032"'));
+  expect(Math.abs((await reading(page, "lambda_max")) / spectrum(heavy, [0, 0, 0]).lambda_max - 1)).toBeLessThan(1e-12);
+  session.clean();
+});
+
+test("560 links stay live", async () => {
+  const page = await session.page("m=hydra(560,1,0,1)");
+  await settled(page);
+  // Joint after joint by its slider, as fast as the page takes them; an update is an answer that was drawn.
+  const rate = await page.evaluate(async () => {
+    const slider = document.querySelector<HTMLInputElement>('.joints input[type="range"]')!;
+    const value = document.querySelector('[data-number="kappa"]')!;
+    let updates = 0;
+    new MutationObserver(() => (updates += 1)).observe(value, { attributes: true, attributeFilter: ["value"] });
+    const frame = () => new Promise((done) => requestAnimationFrame(done));
+    const start = performance.now();
+    for (let k = 0; performance.now() - start < 4000; k++) {
+      slider.value = String(Math.sin(k / 20));
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+      await frame();
+    }
+    return (1000 * updates) / (performance.now() - start);
+  });
+  console.log(`hydra(560,1,0,1): ${rate.toFixed(1)} updates a second`);
+  // On a quiet machine well above 20; a busy one must not fail the test.
+  expect(rate).toBeGreaterThan(5);
+  await agrees(page, "hydra(560,1,0,1)");
+  session.clean();
+});
+
+test("a point of figure 6 is a robot", async () => {
+  const page = await session.page("tab=figures&figure=F-fig6");
+  const points = page.locator(".plot .point");
+  await points.first().waitFor();
+  const point = page.getByRole("button", { name: /^(?:.*0(?:\.0+)?): .*N 10(?:\.0+)?,/ }).first();
+  const named = (await point.getAttribute("aria-label"))!;
+  await point.locator(".halo").click();
+  await page.getByRole("heading", { level: 1, name: "hydra(10," }).waitFor();
+  await settled(page);
+  // Drawn to four digits.
+  const drawn = Number(/κ ([\d.]+(?:e\d+)?)$/.exec(named)![1]);
+  expect(Math.abs((await reading(page, "kappa")) / drawn - 1)).toBeLessThan(1e-3);
+  await agrees(page, "hydra(10,1,0,1)");
+
+  // By keyboard, the next point.
+  await page.locator('.plot .point[aria-pressed="true"]').focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => page.getByRole("heading", { level: 1 }).textContent()).not.toContain("hydra(10,");
+  session.clean();
+});
+
+test("a link holds the state", async () => {
+  const page = await session.page();
+  await settled(page);
+  await drop(page, "arm.urdf", arm);
+  await page.locator('.text li[data-line="18"] .note').waitFor();
+  await page.getByRole("textbox", { name: "wrist (kg m²)" }).fill("0.02");
+  await page.getByRole("textbox", { name: "wrist (kg m²)" }).press("Enter");
+  await slide(page, "elbow", 0.7);
+  await tab(page, "Line and map");
+  await page.getByRole("button", { name: "A is here" }).click();
+  await page.getByRole("radio", { name: "stiffest mode" }).check();
+  await page.getByRole("checkbox", { name: "centres of mass" }).check();
+  await page.locator(".stage canvas").focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("+");
+  await settled(page);
+  const [address, kappa] = [page.url(), await reading(page, "kappa")];
+
+  const other = await session.page(new URL(address).hash.slice(1));
+  await settled(other);
+  expect(other.url()).toBe(address);
+  expect(await reading(other, "kappa")).toBe(kappa);
+  expect(await other.getByRole("heading", { level: 1 }).textContent()).toBe("arm.urdf");
+  expect(await other.getByRole("tab", { selected: true }).textContent()).toBe("Line and map");
+  expect(await other.getByRole("radio", { name: "stiffest mode" }).isChecked()).toBe(true);
+  expect(await other.getByRole("checkbox", { name: "centres of mass" }).isChecked()).toBe(true);
+  expect(coordinates(other)).toEqual(coordinates(page));
+  const shots = await Promise.all([page, other].map((one) => one.locator(".stage canvas").screenshot()));
+  expect(shots[0]!.equals(shots[1]!)).toBe(true);
+  session.clean();
+});
+
+test("a link that makes no sense still shows a robot", async () => {
+  const page = await session.page("m=hydra(no)&q=1,2&tab=figures");
+  await page.getByRole("heading", { level: 1, name: "puma560" }).waitFor();
+  expect(await page.getByRole("alert").textContent()).toContain("hydra");
+  session.clean([/status of 422/]);
+});
+
+test("the map goes where it is pressed, and says κ of there", async () => {
+  const page = await session.page("tab=line");
+  await settled(page);
+  const box = page.getByRole("application", { name: /^κ over/ });
+  await box.scrollIntoViewIfNeeded();
+  await box.focus();
+  for (let k = 0; k < 5; k++) await page.keyboard.press("ArrowUp");
+  for (let k = 0; k < 9; k++) await page.keyboard.press("ArrowRight");
+  const readout = page.locator(".raster .readout:visible");
+  const told = /κ = ([\d.e]+)/.exec((await readout.textContent())!)![1];
+  await page.keyboard.press("Enter");
+  await agrees(page, "puma560");
+  expect((await reading(page, "kappa")).toPrecision(6)).toBe(Number(told).toPrecision(6));
+  session.clean();
+});
+
+test("κ along a line is κ at its ends and on its way", async () => {
+  const page = await session.page("tab=line");
+  await settled(page);
+  await page.getByRole("button", { name: "A is here" }).click();
+  await page.getByRole("button", { name: "Random" }).click();
+  await settled(page);
+  await page.getByRole("button", { name: "B is here" }).click();
+  const end = await reading(page, "kappa");
+  await page.getByRole("slider", { name: "From A to B" }).press("Home");
+  await page.getByRole("button", { name: "Go to A" }).click();
+  await settled(page);
+  expect(await reading(page, "kappa")).not.toBe(end);
+  await page.getByRole("button", { name: "Go to B" }).click();
+  await agrees(page, "puma560");
+  expect(await reading(page, "kappa")).toBe(end);
+  const label = await page.locator(".plot:visible svg").first().getAttribute("aria-label");
+  expect(Number(/to ([\d.]+)$/.exec(label!)![1])).toBeCloseTo(end, 1);
+  session.clean();
+});
+
+test("a family by its sliders, down to one link", async () => {
+  const page = await session.page("tab=model&m=hydra(10,1,0,1)");
+  await settled(page);
+  const links = page.getByRole("slider", { name: /^N/ });
+  await links.focus();
+  await page.keyboard.press("End");
+  await expect.poll(() => page.getByRole("heading", { level: 1 }).textContent(), { timeout: 20_000 }).not.toContain("hydra(10,");
+  await page.keyboard.press("Home");
+  await page.getByRole("heading", { level: 1, name: "hydra(1,1,0,1)" }).waitFor();
+  await agrees(page, "hydra(1,1,0,1)");
+  expect(await reading(page, "kappa")).toBe(1);
+  await page.getByRole("textbox", { name: "or typed" }).fill("onion(12,1.5,0.3,0.9)");
+  await page.getByRole("button", { name: "Open this family" }).click();
+  await page.getByRole("heading", { level: 1, name: "onion(12" }).waitFor();
+  await page.getByRole("button", { name: "Zag" }).click();
+  await agrees(page, "onion(12,1.5,0.3,0.9)");
+  session.clean();
+});
+
+test("a humanoid: update in time, base floating, base removed", async () => {
+  const page = await session.page();
+  await settled(page);
+  await page.locator('header input[type="file"]').setInputFiles(g1());
+  await page.getByRole("heading", { level: 1, name: /g1/ }).waitFor();
+  await page.getByRole("button", { name: "Random" }).click();
+  await agrees(page, g1());
+  expect(await inked(page)).toBeGreaterThan(500);
+  await tab(page, "Analysis");
+  const times = await page.evaluate(async () => {
+    const slider = document.querySelector<HTMLInputElement>('.joints input[type="range"]')!;
+    const value = document.querySelector('[data-number="kappa"]')!;
+    const took: number[] = [];
+    for (let k = 0; k < 40; k++) {
+      const start = performance.now();
+      const told = new Promise((done) => {
+        const watch = new MutationObserver(() => (watch.disconnect(), done(0)));
+        watch.observe(value, { attributes: true });
+      });
+      slider.value = String(0.01 * (k + 1));
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+      await told;
+      took.push(performance.now() - start);
+    }
+    return took.sort((a, b) => a - b);
+  });
+  console.log(`G1: from slider to κ, spectrum and matrix: median ${times[20]!.toFixed(1)} ms, worst of 40 ${times.at(-1)!.toFixed(1)} ms`);
+  await tab(page, "Robot");
+  await page.getByRole("combobox", { name: "Base" }).selectOption("floating");
+  await page.getByRole("checkbox", { name: "base removed" }).check();
+  await page.getByText("free-floating").waitFor();
+  await agrees(page, g1(), "--base", "floating", "--reduced");
+  session.clean();
+});
+
+test("a model that the server has let go comes back by itself", async () => {
+  const page = await session.page();
+  await settled(page);
+  await page.evaluate(async () => {
+    const token = document.querySelector<HTMLMetaElement>('meta[name="eigenbody-token"]')!.content;
+    const headers = { "X-Eigenbody-Token": token, "Content-Type": "application/json" };
+    for (let k = 0; k < 80; k++) {
+      await fetch("/api/model", { method: "POST", headers, body: JSON.stringify({ source: { family: `hydra(${k + 2},1,0,1)` } }) });
+    }
+  });
+  await slide(page, "joint_2", 0.7);
+  await agrees(page, "puma560");
+  session.clean([/status of 404/]);
+});
+
+test("a mode swings, and rests for those who want no motion", async () => {
+  const page = await session.page("m=hydra(5,1,0,1)&swing=1");
+  await settled(page);
+  const shot = async (one: Page) => (await one.locator(".stage canvas").screenshot()).toString("base64");
+  const first = await shot(page);
+  await page.waitForTimeout(500);
+  expect(await shot(page)).not.toBe(first);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.reload();
+  await settled(page);
+  const calm = await shot(page);
+  await page.waitForTimeout(500);
+  expect(await shot(page)).toBe(calm);
+  await page.getByRole("button", { name: "Swing" }).click();
+  await page.getByRole("slider", { name: "along the mode" }).press("End");
+  await page.waitForTimeout(300);
+  expect(await shot(page)).not.toBe(calm);
+  session.clean();
+});
+
+test("everything is reached by the keyboard, and the focus is seen", async () => {
+  const page = await session.page("tab=analysis");
+  await settled(page);
+  const wanted = await page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>("button, select, input, [tabindex]")].filter((one) => one.checkVisibility() && one.tabIndex >= 0 && !(one as HTMLInputElement).disabled).length);
+  const seen = new Set<string>();
+  const unseen: string[] = [];
+  for (let k = 0; k < wanted + 20; k++) {
+    await page.keyboard.press("Tab");
+    const now = await page.evaluate(() => {
+      const one = document.activeElement as HTMLElement;
+      if (one === document.body) return null;
+      const all = [...document.querySelectorAll("*")];
+      const shown = one.matches('input[type="file"]') ? one.closest("label")! : one;
+      const { outlineStyle, outlineWidth } = getComputedStyle(shown);
+      return { key: String(all.indexOf(one)), name: `${one.tagName} ${one.textContent.slice(0, 20)}`, visible: outlineStyle !== "none" && parseFloat(outlineWidth) >= 2 };
+    });
+    if (!now) continue;
+    seen.add(now.key);
+    if (!now.visible) unseen.push(now.name);
+  }
+  expect(unseen).toEqual([]);
+  // Of a group of radio buttons one is in the order, the other is reached by arrow keys.
+  expect(seen.size).toBeGreaterThanOrEqual(wanted - 1);
+
+  const slider = page.getByRole("slider", { name: "joint_2", exact: true });
+  await slider.focus();
+  const before = await reading(page, "kappa");
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(() => reading(page, "kappa")).not.toBe(before);
+  await page.getByRole("tab", { selected: true }).focus();
+  await page.keyboard.press("ArrowRight");
+  expect(await page.getByRole("tab", { selected: true }).textContent()).toBe("Line and map");
+  await page.keyboard.press("End");
+  expect(await page.getByRole("tab", { selected: true }).textContent()).toBe("Figures");
+  session.clean();
+});
+
+describe("widths", () => {
+  test.each([["wide", { width: 1280, height: 800 }], ["narrow", NARROW]])("%s: nothing is wider than the window", async (_, viewport) => {
+    const page = await session.page();
+    await page.setViewportSize(viewport);
+    for (const name of ["analysis", "line", "model", "file", "figures"]) {
+      await page.goto(`${server.url}#tab=${name}`);
+      await page.reload();
+      await settled(page);
+      const [needs, has] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      expect([name, needs]).toEqual([name, has]);
+    }
+    expect(await inked(page)).toBeGreaterThan(300);
+    session.clean();
+  });
+});
+
+test("without WebGL the robot is drawn flat, and the page says so", async () => {
+  const plain = await Session.start(server.url, {}, NO_WEBGL);
+  try {
+    const page = await plain.page();
+    await settled(page);
+    await page.getByText("no WebGL").waitFor();
+    expect(await inked(page)).toBeGreaterThan(500);
+    await slide(page, "joint_2", 0.8);
+    await agrees(page, "puma560");
+    plain.clean([/WebGL/i]);
+  } finally {
+    await plain.stop();
+  }
+});
