@@ -28,7 +28,7 @@ pub struct Loaded {
     pub rotors: Vec<Rotor>,
     /// Springs, dampers and feedback of actuators that the file gives.
     pub springs: Vec<Spring>,
-    /// How its links look, as far as the file says so in URDF.
+    /// How its links look: visuals of URDF, geoms of MJCF.
     pub looks: Vec<Look>,
     /// How the file's own engine steps.
     pub stepping: Option<Stepping>,
