@@ -2,6 +2,7 @@
 
 mod bench;
 mod conformance;
+mod explorer;
 mod layers;
 mod newton;
 mod oracle;
@@ -24,7 +25,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 14] = [
+const TASKS: [Task; 16] = [
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
@@ -39,6 +40,12 @@ const TASKS: [Task; 14] = [
         run: conformance::check,
     },
     Task { name: "python", about: "the Python package: wheel, tests, types", run: python::test },
+    Task {
+        name: "explorer",
+        about: "the explorer and the report in a real browser; the page's own tests",
+        run: explorer::test,
+    },
+    Task { name: "pictures", about: "the pictures of docs/guide/src/explorer.md", run: explorer::pictures },
     Task {
         name: "survey",
         about: "docs/survey.md: `eigenbody check` on published robots",
