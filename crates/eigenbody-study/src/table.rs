@@ -1,5 +1,7 @@
 //! Columns with names and units: what an experiment yields.
 
+use eigenbody::{Family, Posture};
+
 /// The cells of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
@@ -47,6 +49,17 @@ pub struct Column {
 pub struct Table {
     columns: Vec<Column>,
     words: usize,
+    /// A row and the robot that it is about, rows ascending.
+    subjects: Vec<(usize, Subject)>,
+}
+
+/// The robot that a row is about, and how it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Subject {
+    /// Which.
+    pub robot: Family,
+    /// How.
+    pub posture: Posture,
 }
 
 impl Table {
@@ -55,7 +68,7 @@ impl Table {
         let text = words.iter().map(|&(name, unit)| Column { name, unit, values: Values::Text(Vec::new()) });
         let number =
             numbers.iter().map(|&(name, unit)| Column { name, unit, values: Values::Number(Vec::new()) });
-        Self { columns: text.chain(number).collect(), words: words.len() }
+        Self { columns: text.chain(number).collect(), words: words.len(), subjects: Vec::new() }
     }
 
     /// Adds a row: first the words, then the numbers. Cells beyond the columns are dropped, missing ones are empty.
@@ -69,8 +82,23 @@ impl Table {
         }
     }
 
+    /// Says which robot the last row is about.
+    pub fn about(&mut self, robot: Family, posture: Posture) {
+        if let Some(last) = self.rows().checked_sub(1) {
+            self.subjects.push((last, Subject { robot, posture }));
+        }
+    }
+
+    /// The robot that a row is about, where rows are about one each.
+    pub fn subject(&self, row: usize) -> Option<&Subject> {
+        let k = self.subjects.binary_search_by_key(&row, |subject| subject.0).ok()?;
+        Some(&self.subjects[k].1)
+    }
+
     /// Adds the rows of a table with the same columns.
     pub fn append(&mut self, other: Self) {
+        let rows = self.rows();
+        self.subjects.extend(other.subjects.into_iter().map(|(row, subject)| (rows + row, subject)));
         for (column, more) in self.columns.iter_mut().zip(other.columns) {
             match (&mut column.values, more.values) {
                 (Values::Text(cells), Values::Text(more)) => cells.extend(more),

@@ -14,7 +14,7 @@ const BODY: Duration = Duration::from_secs(10);
 /// Largest body (bytes).
 const SMALL: usize = 256 * 1024;
 /// Largest body that brings a robot's text (bytes).
-pub const LARGE: usize = 8 * 1024 * 1024;
+pub const LARGE: usize = 4 * 1024 * 1024;
 
 /// A small body, as T.
 pub struct Asked<T>(pub T);

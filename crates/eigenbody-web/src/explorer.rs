@@ -1,11 +1,12 @@
 //! What a run of the server knows: its token, the robot that it was started with, and the robots in use.
 
+use crate::api::figure::FIGURES;
 use crate::models::Models;
 use crate::robot::{Options, Source};
 use crate::work::Workers;
 use eigenbody_formats::{FormatError, Kind, LoadOptions, load};
 use std::io;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// What the page shows first.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +44,7 @@ pub struct Explorer {
     pub models: Models,
     pub workers: Workers,
     /// Figures, each computed once.
-    pub figures: Vec<(&'static str, OnceLock<String>)>,
+    pub figures: [OnceLock<Arc<[u8]>>; FIGURES.len()],
     token: String,
     hosts: [String; 2],
 }
@@ -57,7 +58,7 @@ impl Explorer {
             opening,
             models: Models::default(),
             workers: Workers::new(),
-            figures: Vec::new(),
+            figures: Default::default(),
             token: secret.iter().map(|byte| format!("{byte:02x}")).collect(),
             hosts: [format!("127.0.0.1:{port}"), format!("localhost:{port}")],
         })

@@ -65,7 +65,11 @@ fn admit(explorer: &Explorer, request: &Request) -> Result<(), Refusal> {
         return refuse("origin", "this server answers to its own page alone");
     }
     if !matches!(*request.method(), Method::GET | Method::POST) {
-        return Err(Refusal::new(StatusCode::METHOD_NOT_ALLOWED, "method", "only GET and POST are known here"));
+        return Err(Refusal::new(
+            StatusCode::METHOD_NOT_ALLOWED,
+            "method",
+            "only GET and POST are known here",
+        ));
     }
     let is_question = request.method() == Method::POST || request.uri().path().starts_with("/api");
     if is_question && !one(headers, &TOKEN).is_some_and(|token| explorer.is_token(token)) {

@@ -80,9 +80,8 @@ impl Refusal {
             file: file.to_owned(),
             line: at.line,
             column: at.column,
-            excerpt: text_of(file).and_then(|text| {
-                eigenbody_report::excerpt(file, &text, (at.line, at.column), &what, false)
-            }),
+            excerpt: text_of(file)
+                .and_then(|text| eigenbody_report::excerpt(file, &text, (at.line, at.column), &what, false)),
             what,
         });
         Self { place, ..Self::new(StatusCode::UNPROCESSABLE_ENTITY, "model", error.to_string()) }

@@ -161,6 +161,13 @@ impl Robot {
         &self.loaded.model
     }
 
+    /// The coordinate that a coordinate follows, if it does.
+    pub fn leader(&self, k: usize) -> Option<usize> {
+        let coupling = self.model().coupling().filter(|_| self.reduction.mimic)?;
+        let (leader, ..) = coupling.follows(k);
+        (leader != k).then_some(leader)
+    }
+
     /// Memory that it takes, roughly.
     pub fn bytes(&self) -> usize {
         let text = self.request.source.text.as_ref().map_or(0, String::len);
@@ -195,7 +202,9 @@ fn read(source: &Source, file: Option<&str>, options: &LoadOptions) -> Result<Lo
             match family(text, None).map_err(|error| refuse(&error))? {
                 Some(family) if family.links() > MOST => Err(too_large(&family.name(), family.links())),
                 Some(_) => load(text, options).map_err(|error| refuse(&error)),
-                None => Err(Refusal::input("no family; expected hydra, onion, auto_tree or chain with their parameters")),
+                None => Err(Refusal::input(
+                    "no family; expected hydra, onion, auto_tree or chain with their parameters",
+                )),
             }
         }
         Source { family: None, builtin: Some(name), opened: false, text: None, name: None } => {

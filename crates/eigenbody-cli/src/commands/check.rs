@@ -11,10 +11,9 @@ use crate::settings::Settings;
 use crate::system::robot;
 use eigenbody::search::{Effort, Measure};
 use eigenbody::{Metric, Model};
-use eigenbody_formats::{Kind, Loaded};
+use eigenbody_formats::Loaded;
 use eigenbody_report::{
-    Baseline, DiagnosisReport, Page, PlaceReport, RemarkReport, State, WorstPicture, advice_text,
-    diagnosis_text, significant,
+    Baseline, DiagnosisReport, Page, State, WorstPicture, advice_text, diagnosis_text, significant,
 };
 use eigenbody_study::StudyError;
 use eigenbody_study::diagnosis::{Diagnosis, Goal, Limits, Question, Remedies, Severity, diagnose};
@@ -104,7 +103,7 @@ fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
     let name = &args.model.model;
     let found = found.map_err(|error| failed(name, error))?;
     let advice = advise(args, &loaded, reduction, effort, &question.drive)?;
-    let report = report(name, &loaded, &found).with_advice(advice.as_ref());
+    let report = DiagnosisReport::of(name, &loaded, &found).with_advice(advice.as_ref());
     let report = match &baseline {
         Some((file, baseline)) => report.against(file, baseline),
         None => report,
@@ -132,25 +131,6 @@ fn baseline(path: &std::path::Path) -> Result<(String, Baseline), Failure> {
         ))
     })?;
     Ok((name, baseline))
-}
-
-/// The report, with the places of joints in the model's file.
-fn report(name: &str, loaded: &Loaded, found: &Diagnosis) -> DiagnosisReport {
-    let Kind::File(path) = &loaded.kind else { return DiagnosisReport::new(name, found, Vec::new()) };
-    let place = |(file, at): (&str, eigenbody_formats::Location)| PlaceReport {
-        file: file.to_owned(),
-        line: at.line,
-        column: at.column,
-    };
-    let remarks = loaded.remarks().into_iter().map(|remark| {
-        let at = remark.place.as_ref().map(|(file, at)| place((file, *at)));
-        RemarkReport::new(remark.code, remark.subject, remark.text, at)
-    });
-    DiagnosisReport::new(name, found, loaded.findings()).located(
-        Some(path.display().to_string()),
-        |dof| loaded.place_of_dof(dof).map(place),
-        remarks.collect(),
-    )
 }
 
 /// The page: the report, and portraits of the worst configurations.

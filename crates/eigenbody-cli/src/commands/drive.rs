@@ -9,7 +9,7 @@ use eigenbody_study::diagnosis::Drive;
 /// Springs, step and integrator. Given gains stand in for those of the file's actuators; what joints and tendons have of their own
 /// stays.
 pub fn drive(args: &GainArgs, loaded: &Loaded) -> Result<Drive, Failure> {
-    let mut springs = loaded.springs.clone();
+    let Drive { mut springs, step: own_step, integrator: own } = Drive::from(loaded);
     if let Some(text) = &args.kp {
         replace(&mut springs, &gains(text, &loaded.model)?, loaded, |spring| &mut spring.stiffness);
     }
@@ -18,9 +18,8 @@ pub fn drive(args: &GainArgs, loaded: &Loaded) -> Result<Drive, Failure> {
     }
     let step = match args.dt {
         Some(step) => Some(super::positive("--dt", step)?),
-        None => loaded.stepping.map(|stepping| stepping.step),
+        None => own_step,
     };
-    let own = loaded.stepping.map_or(Integrator::SemiImplicitEuler, |stepping| stepping.integrator);
     let integrator = match args.integrator {
         None => own,
         Some(IntegratorArg::SemiImplicit) => Integrator::SemiImplicitEuler,

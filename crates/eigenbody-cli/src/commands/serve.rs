@@ -35,5 +35,12 @@ fn open(url: &str) -> io::Result<()> {
         _ => ("xdg-open", &[]),
     };
     let quiet = Stdio::null;
-    Command::new(program).args(before).arg(url).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn().map(drop)
+    Command::new(program)
+        .args(before)
+        .arg(url)
+        .stdin(quiet())
+        .stdout(quiet())
+        .stderr(quiet())
+        .spawn()
+        .map(drop)
 }

@@ -130,7 +130,10 @@ impl MeshAsset<'_> {
         let mut mesh = match element.find("file") {
             Some(attribute) => {
                 let path = folders.mesh(element, &attribute.value);
-                let bytes = folders.files.shelf.contents(&path)
+                let bytes = folders
+                    .files
+                    .shelf
+                    .contents(&path)
                     .map_err(|fault| at(MeshFault::File { file: path.display().to_string(), fault }))?;
                 let kind = kind(element.get("content_type"), &path);
                 Mesh::read(&kind, &bytes, mirrored).map_err(at)?

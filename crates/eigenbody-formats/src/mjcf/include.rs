@@ -80,7 +80,10 @@ impl<'a> Splicer<'a> {
         if !self.included.insert(known) {
             return Err(fault(at, MjcfFault::IncludedTwice { file: name.to_owned() }));
         }
-        let bytes = self.files.shelf.contents(path)
+        let bytes = self
+            .files
+            .shelf
+            .contents(path)
             .map_err(|problem| fault(at, MjcfFault::Include { file: name.to_owned(), fault: problem }))?;
         let text = text(bytes, self.files.all.len() as u32, path, self.files)?;
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();

@@ -13,6 +13,7 @@ pub use stepping::SteppingReport;
 pub use text::diagnosis_text;
 
 use eigenbody::search::Measure;
+use eigenbody_formats::{Kind, Loaded, Location};
 use eigenbody_study::diagnosis::{
     Blame, Diagnosis, Finding, Goal, Mechanism, NullMotion, Remedies, Sensitivity, Worst,
 };
@@ -317,6 +318,26 @@ impl DiagnosisReport {
             comparison: None,
             advice: None,
         }
+    }
+
+    /// What a diagnosis says about a model as it was read, located in its file if it has one.
+    pub fn of(model: &str, loaded: &Loaded, found: &Diagnosis) -> Self {
+        let Kind::File(path) = &loaded.kind else { return Self::new(model, found, Vec::new()) };
+        let place = |(file, at): (&str, Location)| PlaceReport {
+            file: file.to_owned(),
+            line: at.line,
+            column: at.column,
+        };
+        let remarks = loaded.remarks().into_iter().map(|remark| {
+            let at = remark.place.as_ref().map(|(file, at)| place((file, *at)));
+            RemarkReport::new(remark.code, remark.subject, remark.text, at)
+        });
+        let place_of = |dof: &str| loaded.place_of_dof(dof).map(place);
+        Self::new(model, found, loaded.findings()).located(
+            Some(path.display().to_string()),
+            place_of,
+            remarks.collect(),
+        )
     }
 
     /// The same with advice.

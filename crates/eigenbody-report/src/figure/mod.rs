@@ -18,7 +18,7 @@ mod style;
 
 pub use axis::{Axis, Scale};
 pub use motion::{Series, motion};
-pub use papers::draw;
+pub use papers::{Growth, draw, growth};
 pub use plot::{Curve, Panel, Plot};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};

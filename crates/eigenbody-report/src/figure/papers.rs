@@ -10,6 +10,7 @@ const N: &str = "number of links N";
 const KAPPA: &str = "condition number κ";
 const LAMBDA: &str = "eigenvalue (kg m²)";
 const EITHER: &str = "condition number";
+const BOTH: &[(&str, &str)] = &[("κ", "kappa"), ("κ′", "kappa_weighted")];
 const PLACE: &str = "place in the spectrum, smallest 0, largest 1";
 const COORDINATE: &str = "coordinate of the eigenvector";
 const TIME: &str = "time (s)";
@@ -61,6 +62,31 @@ pub fn draw(id: &str, title: &str, table: &Table) -> Option<String> {
         _ => return None,
     };
     Some(plot.svg(title))
+}
+
+/// What is drawn of a figure of κ against N.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Growth {
+    /// What N counts.
+    pub x: &'static str,
+    /// Whether N is drawn by its logarithm.
+    pub log: bool,
+    /// What is drawn against it, by its logarithm.
+    pub y: &'static str,
+    /// A symbol and a column for each.
+    pub columns: &'static [(&'static str, &'static str)],
+}
+
+/// The figures of κ against N: for a page that draws them itself. Each row of their tables is about one robot.
+pub fn growth(id: &str) -> Option<Growth> {
+    let kappa = Growth { x: N, log: true, y: KAPPA, columns: &[("κ", "kappa")] };
+    Some(match id {
+        "F-fig6" | "F-fig7" | "F-fig8" | "F-fig9" | "F-fig10" | "F-fig16" => kappa,
+        "F-fig18" => Growth { x: "number of joints N", ..kappa },
+        "F-fig20" => Growth { y: EITHER, columns: BOTH, ..kappa },
+        "F-fig21" => Growth { y: EITHER, columns: BOTH, log: false, ..kappa },
+        _ => return None,
+    })
 }
 
 fn one(x: Axis, y: Axis, curves: Vec<Curve>) -> Plot {
@@ -126,8 +152,7 @@ fn split(table: &Table, x: &str, y: &str, x_label: &str, y_label: &str) -> Vec<P
 fn both_metrics(table: &Table) -> Vec<Curve> {
     let mut curves = Vec::new();
     for (k, name) in table.distinct("curve").into_iter().enumerate() {
-        for (kind, (column, symbol)) in [("kappa", "κ"), ("kappa_weighted", "κ′")].into_iter().enumerate()
-        {
+        for (kind, &(symbol, column)) in BOTH.iter().enumerate() {
             let points = table.points("curve", name, "N", column);
             curves.push(Curve { name: format!("{symbol}, {name}"), points, style: Style::of_kind(k, kind) });
         }

@@ -16,6 +16,7 @@ use eigenbody::factor::Cholesky;
 use eigenbody::search::{Domain, Effort, Evaluator, Landscape, Measure, Point, descend, sample_points};
 use eigenbody::stability::{Impedance, Integrator, REAL_LIMIT, Spring, StepLimit, is_stable, largest_step};
 use eigenbody::{Error, Matrix, Metric, Model, Reduction};
+use eigenbody_formats::Loaded;
 use rayon::prelude::*;
 
 /// Configurations sampled at most.
@@ -42,6 +43,17 @@ pub struct Drive {
 impl Default for Drive {
     fn default() -> Self {
         Self { springs: Vec::new(), step: None, integrator: Integrator::SemiImplicitEuler }
+    }
+}
+
+impl From<&Loaded> for Drive {
+    /// As its file says.
+    fn from(loaded: &Loaded) -> Self {
+        Self {
+            springs: loaded.springs.clone(),
+            step: loaded.stepping.map(|stepping| stepping.step),
+            integrator: loaded.stepping.map_or(Integrator::SemiImplicitEuler, |stepping| stepping.integrator),
+        }
     }
 }
 

@@ -48,8 +48,9 @@ pub fn kappa_curves(
     let found = found?;
     let mut table = Table::new(&[("curve", "")], &[parameter, ("N", "1"), ("kappa", "1")]);
     for (c, n) in rows {
-        let Curve { name, parameter, .. } = &curves[c];
+        let Curve { name, parameter, member, posture, .. } = &curves[c];
         table.push([name.clone()], [Some(*parameter), Some(n as f64), found.get(&(c, n)).copied()]);
+        table.about(member(n)?, *posture);
     }
     Ok(table)
 }

@@ -233,11 +233,7 @@ pub fn asymptotic(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let mut table = Table::new(&[("curve", "")], &numbers);
     let mut shape = Vec::new();
     for posture in [Posture::Zag(0.0), Posture::Zag(2.5), Posture::Curl(0.3), Posture::Curl(1.0)] {
-        let name = match posture {
-            Posture::Zag(angle) => format!("zag({angle})"),
-            Posture::Curl(angle) => format!("curl({angle})"),
-            Posture::Zero => "zero".into(),
-        };
+        let name = posture.to_string();
         for n in samples(LAST) {
             let posed = lab.pose(&planar(n)?, posture)?;
             let (diagonal, kappa) = (posed.diagonal()?, posed.ends()?.kappa());

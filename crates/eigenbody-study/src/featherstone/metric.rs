@@ -21,13 +21,15 @@ fn both(
         .with_max_len(1)
         .map(|(name, value, n, family, posture)| {
             let posed = lab.pose(&family, posture)?;
-            Ok((name, [value, n as f64, posed.ends()?.kappa(), posed.kappa_weighted()?]))
+            let numbers = [value, n as f64, posed.ends()?.kappa(), posed.kappa_weighted()?];
+            Ok((name, numbers, family, posture))
         })
         .collect();
     let numbers = [parameter, ("N", "1"), ("kappa", "1"), ("kappa_weighted", "1")];
     let mut table = Table::new(&[("curve", "")], &numbers);
-    for (name, numbers) in rows? {
+    for (name, numbers, family, posture) in rows? {
         table.push([name], numbers.map(Some));
+        table.about(family, posture);
     }
     Ok(table)
 }

@@ -4,7 +4,7 @@ use super::curves::{Curve, OwnedMember, kappa_curves, samples};
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::{Subject, Table};
 use eigenbody::model::Random;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::eigenvalues;
@@ -58,11 +58,12 @@ pub fn fig9(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let all =
         taper_curves(lab, &[0.7, 0.8, 0.9, 0.95, 0.99, 1.0], |taper| if taper < 0.9 { 100 } else { 560 })?;
     let mut table = Table::new(&[("curve", "")], &[("rho", "1"), ("N", "1"), ("kappa", "1")]);
-    for name in all.distinct("curve") {
-        let rho = all.points("curve", name, "rho", "N").first().map(|point| point.0);
-        for (n, kappa) in all.points("curve", name, "N", "kappa") {
-            if kappa < SINGULAR {
-                table.push([name.to_owned()], [rho, Some(n), Some(kappa)]);
+    let [rho, n, kappa] = ["rho", "N", "kappa"].map(|column| all.number(column));
+    for (row, name) in all.text("curve").iter().enumerate() {
+        if kappa[row].is_some_and(|kappa| kappa < SINGULAR) {
+            table.push([name.clone()], [rho[row], n[row], kappa[row]]);
+            if let Some(Subject { robot, posture }) = all.subject(row) {
+                table.about(robot.clone(), *posture);
             }
         }
     }
@@ -151,18 +152,20 @@ pub fn fig10(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         .into_par_iter()
         .with_max_len(1)
         .map(|(name, posture, ratio, n)| {
-            let posed =
-                lab.pose(&Family::hydra(n, 1.0, 0.0, 1.0)?.with_size_ratio(decimal(ratio))?, posture)?;
+            let family = Family::hydra(n, 1.0, 0.0, 1.0)?.with_size_ratio(decimal(ratio))?;
+            let posed = lab.pose(&family, posture)?;
             let kappa = posed.ends()?.kappa();
             // A dense solver takes its time: only where the paper prints numbers, and for small robots.
             let dense = if n <= 100 || n == last { plain_kappa(&posed.mass_matrix()?)? } else { None };
-            Ok((format!("{name}, R = {ratio}"), [Some(ratio), Some(n as f64), Some(kappa), dense]))
+            let numbers = [Some(ratio), Some(n as f64), Some(kappa), dense];
+            Ok((format!("{name}, R = {ratio}"), numbers, family, posture))
         })
         .collect();
     let mut table =
         Table::new(&[("curve", "")], &[("R", "1"), ("N", "1"), ("kappa", "1"), ("kappa_dense", "1")]);
-    for (name, numbers) in rows? {
+    for (name, numbers, family, posture) in rows? {
         table.push([name], numbers);
+        table.about(family, posture);
     }
     let value = |column: &str, posture: &str, ratio: f64, n: usize| {
         let points = table.points("curve", &format!("{posture}, R = {ratio}"), "N", column);

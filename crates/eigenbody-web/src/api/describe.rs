@@ -215,7 +215,12 @@ fn describe(robot: &Robot) -> Result<Description<'_>, Refusal> {
     let q0 = settled(model, robot.reduction, &loaded.configuration("zero", robot.reduction.mimic)?)?;
     let stance = stance(model, &q0)?;
     let Options { base, reduced, rotors, .. } = robot.request.options;
-    let options = Options { base, reduced: robot.reduction.base || reduced, mimic: Some(robot.reduction.mimic), rotors };
+    let options = Options {
+        base,
+        reduced: robot.reduction.base || reduced,
+        mimic: Some(robot.reduction.mimic),
+        rotors,
+    };
     let written = [write_urdf_with_rotors(model).map(drop), write_mjcf(model).map(drop)];
     let [urdf, mjcf] = written.map(|written| written.err().map(|error| error.to_string()));
     let remarks = if loaded.is_family() { Vec::new() } else { loaded.remarks() };
@@ -252,9 +257,7 @@ fn describe(robot: &Robot) -> Result<Description<'_>, Refusal> {
                 code: remark.code,
                 subject: remark.subject,
                 message: remark.text,
-                place: remark
-                    .place
-                    .map(|(file, at)| PlaceView { file, line: at.line, column: at.column }),
+                place: remark.place.map(|(file, at)| PlaceView { file, line: at.line, column: at.column }),
             })
             .collect(),
         patch: Patch { urdf: urdf.is_none(), mjcf: mjcf.is_none(), why: Why { urdf, mjcf } },
@@ -304,10 +307,8 @@ fn joint_view<'a>(robot: &'a Robot, joint: &'a JointInfo<f64>) -> JointView<'a> 
     let model = robot.model();
     let slides = matches!(joint.kind(), Joint::Prismatic);
     let q = joint.coordinates().start;
-    let follows = model.coupling().filter(|_| robot.reduction.mimic && joint.kind().nq() == 1).and_then(|coupling| {
-        let (leader, ..) = coupling.follows(q);
-        (leader != q).then(|| model.joints().iter().find(|j| j.coordinates().contains(&leader)))?
-    });
+    let leader = robot.leader(q).filter(|_| joint.kind().nq() == 1);
+    let follows = leader.and_then(|leader| model.joints().iter().find(|j| j.coordinates().contains(&leader)));
     let finite = |x: f64| x.is_finite().then_some(x);
     JointView {
         name: joint.name(),
@@ -316,14 +317,15 @@ fn joint_view<'a>(robot: &'a Robot, joint: &'a JointInfo<f64>) -> JointView<'a> 
         nq: joint.kind().nq(),
         dofs: joint.dofs().collect(),
         limits: joint.limits().map(|(lo, hi)| [finite(lo), finite(hi)]),
-        range: range(joint, slides),
+        range: range(joint),
         unit: if slides { "m" } else { "rad" },
         follows: follows.map(JointInfo::name),
     }
 }
 
 /// What a slider or a map covers: the limits where they are finite and no wider than two turns, else a turn, or 2 m.
-pub fn range(joint: &JointInfo<f64>, slides: bool) -> [f64; 2] {
+pub fn range(joint: &JointInfo<f64>) -> [f64; 2] {
+    let slides = matches!(joint.kind(), Joint::Prismatic);
     let reach = if slides { 1.0 } else { PI };
     let widest = if slides { f64::MAX } else { 2.0 * PI };
     match joint.limits() {

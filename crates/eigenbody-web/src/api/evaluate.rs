@@ -111,7 +111,8 @@ fn reply(robot: &Robot, request: &Request) -> Result<Reply, Refusal> {
     let single = |[p, a]: &[[f64; 3]; 2]| [p[0], p[1], p[2], a[0], a[1], a[2]].map(|x| x as f32);
     let whole = robot.rows.len() <= WHOLE;
     let asks = [Want::Numbers, Want::Modes, Want::Eigenvalues].into_iter().any(wants);
-    let spectrum = if asks { Some(spectrum(robot, request, &q, whole && wants(Want::Eigenvalues))?) } else { None };
+    let spectrum =
+        if asks { Some(spectrum(robot, request, &q, whole && wants(Want::Eigenvalues))?) } else { None };
     let matrix = match (wants(Want::Matrix), whole) {
         (false, _) => None,
         (true, false) => Some(None),
@@ -124,7 +125,9 @@ fn reply(robot: &Robot, request: &Request) -> Result<Reply, Refusal> {
         (Some(Numbers::from(found)), Some(modes), Some(eigenvalues))
     });
     Ok(Reply {
-        places: stance.as_ref().map(|stance| stance.links.iter().map(|X| pose(X).map(|x| x as f32)).collect()),
+        places: stance
+            .as_ref()
+            .map(|stance| stance.links.iter().map(|X| pose(X).map(|x| x as f32)).collect()),
         axes: stance.as_ref().map(|stance| stance.axes.iter().map(single).collect()),
         numbers: numbers.filter(|_| wants(Want::Numbers)),
         modes: modes.filter(|_| wants(Want::Modes)),
@@ -152,7 +155,8 @@ fn spectrum(robot: &Robot, request: &Request, q: &[f64], all: bool) -> Result<Sp
 
 impl From<SpectrumReport> for Numbers {
     fn from(found: SpectrumReport) -> Self {
-        let SpectrumReport { metric, unit, method, kappa, kappa_weighted, diagonal_ratio, bracket, .. } = found;
+        let SpectrumReport { metric, unit, method, kappa, kappa_weighted, diagonal_ratio, bracket, .. } =
+            found;
         let SpectrumReport { lambda_min, lambda_max, error_estimate, note, .. } = found;
         Self {
             metric,

@@ -1,7 +1,11 @@
 //! Paths, and who answers.
 
+mod check;
 mod describe;
 mod evaluate;
+mod field;
+pub mod figure;
+mod patch;
 mod pose;
 mod start;
 
@@ -32,6 +36,11 @@ pub fn router(explorer: Arc<Explorer>) -> Router {
         .route("/api/pose", post(pose::pose))
         .route("/api/move", post(pose::step))
         .route("/api/swing", post(pose::swing))
+        .route("/api/path", post(field::path))
+        .route("/api/map", post(field::map))
+        .route("/api/check", post(check::check))
+        .route("/api/patch", post(patch::patch))
+        .route("/api/figure/{id}", get(figure::figure))
         .method_not_allowed_fallback(no_method)
         .fallback(no_path)
         .layer(DefaultBodyLimit::max(LARGE))

@@ -75,9 +75,7 @@ pub async fn step(State(explorer): State<Arc<Explorer>>, Asked(request): Asked<M
         let from = settled(model, reduction, &request.q)?;
         let v = match (&request.v, &request.to, request.t) {
             (Some(v), None, None) => v.clone(),
-            (None, Some(to), Some(t)) => {
-                model.difference(&from, to)?.into_iter().map(|v| t * v).collect()
-            }
+            (None, Some(to), Some(t)) => model.difference(&from, to)?.into_iter().map(|v| t * v).collect(),
             _ => return Err(Refusal::input("a move has v, or to and t")),
         };
         Ok(Configuration { q: settled(model, reduction, &model.integrate(&from, &v)?)? })

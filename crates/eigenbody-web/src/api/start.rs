@@ -1,10 +1,12 @@
 //! `GET /api/start`: what there is to look at.
 
+use super::figure::{FIGURES, experiment};
 use super::{Answer, json};
 use crate::asked::LARGE;
 use crate::explorer::Explorer;
 use crate::robot::{BUILT_IN, MOST, Options, Source};
 use axum::extract::State;
+use eigenbody_study::Experiment;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -82,6 +84,11 @@ struct Limits {
     text: usize,
 }
 
+fn figure(id: &str) -> Option<Titled> {
+    let Experiment { id, title, seen, .. } = *experiment(id)?;
+    Some(Titled { name: None, id: Some(id), title, seen: Some(seen) })
+}
+
 pub async fn start(State(explorer): State<Arc<Explorer>>) -> Answer {
     let opening = &explorer.opening;
     let builtin = |&(name, title): &(&'static str, &'static str)| Titled {
@@ -96,7 +103,7 @@ pub async fn start(State(explorer): State<Arc<Explorer>>) -> Answer {
         options: opening.options,
         families: &FAMILIES,
         builtins: BUILT_IN.iter().map(builtin).collect(),
-        figures: Vec::new(),
+        figures: FIGURES.iter().filter_map(|id| figure(id)).collect(),
         limits: Limits { dofs: MOST, text: LARGE },
     };
     Ok(json(serde_json::to_vec(&start)?))

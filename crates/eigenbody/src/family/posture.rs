@@ -2,6 +2,7 @@
 
 use crate::model::Model;
 use crate::scalar::Real;
+use std::fmt;
 
 /// A configuration that is defined for every number of joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +13,17 @@ pub enum Posture {
     Zag(f64),
     /// q_i = θ: an arc.
     Curl(f64),
+}
+
+/// `zero`, `zag(0.5)`, `curl(0.1)`: the expression that names it.
+impl fmt::Display for Posture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Zero => f.write_str("zero"),
+            Self::Zag(angle) => write!(f, "zag({angle})"),
+            Self::Curl(angle) => write!(f, "curl({angle})"),
+        }
+    }
 }
 
 impl Posture {

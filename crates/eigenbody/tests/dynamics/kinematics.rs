@@ -23,7 +23,10 @@ fn poses_place_the_mass<T: Real>() {
                 let (X, one) = (all[i], link_pose(&model, &q, i).unwrap());
                 // 8 n ε of the reach
                 let apart = largest(&[(X.r - one.r).to_array(), (X.E.x - one.E.x).to_array()].concat());
-                assert!(apart <= 8.0 * (plan.links.len() as f64).powi(2) * T::EPSILON, "seed {seed}: {apart:e}");
+                assert!(
+                    apart <= 8.0 * (plan.links.len() as f64).powi(2) * T::EPSILON,
+                    "seed {seed}: {apart:e}"
+                );
                 mass += inertia.m;
                 moment += X.E.transpose_times(inertia.h) + X.r * inertia.m;
             }
