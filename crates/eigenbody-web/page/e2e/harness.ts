@@ -6,6 +6,7 @@
  * | `EIGENBODY` | the command; else `target/release/eigenbody` |
  * | `CHROMIUM` | the browser; else the first of the usual names on the path |
  * | `G1` | the URDF file of Unitree's G1 |
+ * | `LIVE` | if set, the page's files come from dist/, not from the command: no build of the command while the page is written |
  */
 
 import { execFileSync, spawn, type ChildProcess } from "node:child_process";
@@ -97,6 +98,9 @@ export class Session {
     const context = await chromium.launchPersistentContext(folder, {
       executablePath: browser(), headless: true, args: [...ARGUMENTS, ...graphics], viewport: WIDE, acceptDownloads: true, ...options,
     });
+    if (process.env["LIVE"]) {
+      await context.route("**/assets/*", (route) => route.fulfill({ path: join(PAGE, "dist/assets", new URL(route.request().url()).pathname.split("/").at(-1)!) }));
+    }
     return new Session(folder, context, home);
   }
 
@@ -146,9 +150,9 @@ export function coordinates(page: Page): number[] {
   return (q ?? "").split(",").filter(Boolean).map(Number);
 }
 
-/** What `eigenbody spectrum` says. */
+/** What `eigenbody spectrum` says; where an address has no coordinates, the robot is where it was at first. */
 export function spectrum(model: string, q: readonly number[], ...more: string[]): Record<Reading, number> & { softest: { share: number[] } } {
-  return JSON.parse(said("spectrum", model, "--at", `q=[${q.join(",")}]`, "--json", ...more)) as never;
+  return JSON.parse(said("spectrum", model, "--at", q.length > 0 ? `q=[${q.join(",")}]` : "zero", "--json", ...more)) as never;
 }
 
 /** A file dropped on the page, as a file manager does it. */

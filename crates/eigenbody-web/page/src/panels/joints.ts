@@ -53,10 +53,16 @@ export function joints(explorer: Explorer): HTMLElement {
     }
   };
   const light = () => rows.forEach(({ handle, label }) => label.classList.toggle("on", handle.joint === explorer.hovered));
+  let built = "";
   explorer.on("model", () => {
+    const joints = explorer.model?.joints ?? [];
+    // An edited robot has the same sliders: they stay, one may be under a finger.
+    const key = JSON.stringify(joints);
+    if (key === built) return update();
+    built = key;
     filter.value = "";
     limit = PAGE;
-    all = explorer.model?.joints.flatMap(handles) ?? [];
+    all = joints.flatMap(handles);
     build();
   });
   explorer.on(["posture", "evaluation"], update);

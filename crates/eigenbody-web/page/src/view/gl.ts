@@ -63,7 +63,7 @@ class GlPainter implements Painter {
     }
     const white = () => new MeshLambertMaterial({ color: 0xffffff });
     this.boxes = this.instanced(new BoxGeometry(1, 1, 1), white(), n);
-    const rod = new CylinderGeometry(1, 1, 1, 8).rotateX(Math.PI / 2);
+    const rod = new CylinderGeometry(1, 1, 1, 6, 1, true).rotateX(Math.PI / 2);
     this.axes = this.instanced(rod, white(), Math.max(1, model.dofs.length));
     const over = new MeshBasicMaterial({ color: 0xffffff, depthTest: false, transparent: true, opacity: 0.9 });
     this.centres = this.instanced(new SphereGeometry(1, 14, 10), over, n);
@@ -101,8 +101,8 @@ class GlPainter implements Painter {
         group.matrixWorldNeedsUpdate = true;
         tint(group, picture.colours[k] ?? 0);
       }
-      // With visuals on, a body without any is its box, unless it has no mass to speak of.
-      const boxed = !shaped || (body.shapes.length === 0 && body.box !== null && !model.bodies.some((other) => other.shapes.length > 0));
+      // With visuals on, a body without any is its box.
+      const boxed = !shaped || body.shapes.length === 0;
       boxes.setMatrixAt(k, boxed ? at.multiply(this.local[k]!) : NOTHING);
       boxes.setColorAt(k, colour.setHex(picture.colours[k] ?? 0));
       shown += 1;
@@ -157,21 +157,16 @@ class GlPainter implements Painter {
     lines.visible = overlays.has("skeleton");
     if (!lines.visible) return;
     const ends = lines.geometry.getAttribute("position");
-    model.bodies.forEach(({ parent, centre }, k) => {
+    model.bodies.forEach(({ parent }, k) => {
       const [place, before] = [places[k], parent === null ? null : places[parent]];
       if (!place) return;
-      // From joint to joint; a body that carries nothing, to its centre of mass.
-      const leaf = !this.carries.has(k);
-      ends.setXYZ(2 * k, ...(before ? ([before[0], before[1], before[2]] as const) : ([place[0], place[1], place[2]] as const)));
+      // From the joint before; the first body's line begins and ends at its own.
+      const [x, y, z] = before ?? place;
+      ends.setXYZ(2 * k, x, y, z);
       ends.setXYZ(2 * k + 1, place[0], place[1], place[2]);
-      if (leaf && parent === null) ends.setXYZ(2 * k + 1, ...placed(place, centre).toArray());
     });
     ends.needsUpdate = true;
     (lines.material as LineBasicMaterial).color.setHex(theme.soft);
-  }
-
-  private get carries(): Set<number> {
-    return new Set(this.model?.bodies.flatMap(({ parent }) => (parent === null ? [] : [parent])));
   }
 
   private paintArrows({ arrows, overlays, scale, arrowColour }: Picture): void {
