@@ -57,7 +57,7 @@ function build(explorer: Explorer): void {
     caption.hidden = joint === undefined;
     caption.textContent = joint ? `${joint.name}, ${joint.kind}` : "";
   });
-  stage.element.append(caption, h("div", { class: "corner" }, button("Fit", () => stage.fit(), { "aria-label": "Show the whole robot" })));
+  stage.element.append(caption, h("div", { class: "corner" }, button("Fit", () => stage.fit(), { "aria-label": "Fit the whole robot" })));
   let checked: CheckFinding[] = [];
   const findings = source(explorer, () => checked);
   const checking = check(explorer, (found) => {

@@ -65,9 +65,8 @@ export class Eye {
     this.camera.position.copy(target).addScaledVector(out, distance);
     this.camera.up.copy(this.up);
     this.camera.lookAt(target);
-    const reach = this.fit.radius + this.fit.center.distanceTo(target);
-    this.camera.near = Math.max(distance / 500, (distance - 4 * reach) / 2);
-    this.camera.far = distance + 8 * reach + 4 * this.extent;
+    this.camera.near = distance / 300;
+    this.camera.far = distance + target.length() + 6 * this.extent;
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
   }
@@ -101,8 +100,9 @@ export class Eye {
     return this.up;
   }
 
-  get radius(): number {
-    return this.fit.radius;
+  /** The robot's size (m). */
+  get size(): number {
+    return this.extent;
   }
 }
 

@@ -114,7 +114,7 @@ class GlPainter implements Painter {
     this.paintSkeleton(picture, model);
     this.paintArrows(picture);
     this.paintFloor(picture);
-    this.sun.position.copy(picture.camera.position).addScaledVector(picture.up, 0.6 * picture.camera.position.length() + picture.radius);
+    this.sun.position.copy(picture.camera.position).addScaledVector(picture.up, 0.6 * picture.camera.position.length() + picture.size);
     this.renderer.render(this.scene, picture.camera);
   }
 
@@ -183,15 +183,15 @@ class GlPainter implements Painter {
     put(this.slides!, shown.filter(({ slides }) => slides), 0.2);
   }
 
-  private paintFloor({ overlays, up, radius, theme }: Picture): void {
-    const key = `${radius} ${up.toArray().join()} ${theme.faint}`;
+  private paintFloor({ overlays, up, size, theme }: Picture): void {
+    const key = `${size} ${up.toArray().join()} ${theme.faint}`;
     if (key !== this.floorOf) {
       if (this.floor) {
         this.scene.remove(this.floor);
         this.floor.dispose();
       }
-      const cell = 10 ** Math.round(Math.log10(radius / 2));
-      const cells = 2 * Math.ceil((1.6 * radius) / cell);
+      const cell = 10 ** Math.round(Math.log10(size / 3));
+      const cells = 2 * Math.ceil((1.1 * size) / cell);
       this.floor = new GridHelper(cells * cell, cells, theme.faint, theme.faint);
       this.floor.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), up));
       const [first] = this.last?.places ?? [];

@@ -31,9 +31,9 @@ export interface Picture {
   shapes: boolean;
   /** A length that looks right for axes and arrows (m). */
   scale: number;
-  /** Up, and where the floor is along it (m). */
   up: Vector3;
-  radius: number;
+  /** The robot's size (m). */
+  size: number;
   theme: Theme;
 }
 

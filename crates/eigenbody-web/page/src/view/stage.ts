@@ -120,9 +120,9 @@ export class Stage {
       arrows: state.overlays.has("arrows") ? arrows(model, evaluation, axes, state) : [],
       arrowColour: state.mode === "softest" ? this.theme.blue : this.theme.vermilion,
       shapes: state.shapes,
-      scale: Math.min(this.eye.radius, this.eye.distance / 3),
+      scale: Math.min(this.eye.size, this.eye.distance / 3.6),
       up: this.eye.upward,
-      radius: this.eye.radius,
+      size: this.eye.size,
       theme: this.theme,
     });
     if (playing) this.draw();
@@ -213,7 +213,7 @@ export class Stage {
     const steps = joint.dofs.map((d) => {
       const rate = onScreen(axes[d]!, point, this.eye.camera);
       const along = Math.abs(rate.x * dx + rate.y * dy) / Math.max(Math.hypot(rate.x, rate.y), 1e-12);
-      return { d, along, step: stepFor(rate, dx, dy, 0.12 / Math.max(this.eye.radius, 1e-9) ** (axes[d]!.slides ? 1 : 0)) };
+      return { d, along, step: stepFor(rate, dx, dy, 0.12 / this.eye.size ** (axes[d]!.slides ? 1 : 0)) };
     });
     const best = steps.reduce((a, b) => (b.along > a.along ? b : a));
     const q = [...this.explorer.q];
