@@ -49,7 +49,7 @@ test("humanoid", () => shoot("explorer-humanoid", "colours=1", async (page) => {
 
 test("family", () => shoot("explorer-family", "tab=figures&figure=F-fig9", async (page) => {
   await page.locator(".plot .point").first().waitFor();
-  const points = page.getByRole("button", { name: / N [1-6]\d,/ });
+  const points = page.getByRole("button", { name: / N [2-6]\d,/ });
   await points.nth(Math.floor((await points.count()) / 2)).locator(".halo").click();
   await settled(page);
 }));

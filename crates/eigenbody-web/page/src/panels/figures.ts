@@ -43,7 +43,7 @@ export function figures(explorer: Explorer): HTMLElement {
       name, style, line: true, markers: true,
       points: points.map((point) => ({
         x: point.x, y: point.y, chosen: point === chosen,
-        ...(point.source ? { label: `${name}: ${figure.x.label} ${shown(point.x, 4)}, ${figure.y.label} ${shown(point.y, 4)}`, press: () => void go(point, name) } : {}),
+        ...(point.source ? { label: `${name}: ${figure.x.label} ${Number.isInteger(point.x) ? point.x : shown(point.x, 4)}, ${figure.y.label} ${shown(point.y, 4)}`, press: () => void go(point, name) } : {}),
       })),
     }));
     plot.show({ label: `${figure.id}: ${figure.title}`, x: figure.x, y: figure.y, curves, height: 340 });

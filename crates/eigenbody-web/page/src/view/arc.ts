@@ -1,4 +1,4 @@
-/** An arc with a head: how a joint turns. */
+/** How joints are drawn: axes, an arc with a head for a turn, an arrow for a slide. */
 
 import { BufferGeometry, ConeGeometry, CylinderGeometry, Float32BufferAttribute, Matrix4, Quaternion, TorusGeometry, Vector3 } from "three";
 
@@ -46,4 +46,9 @@ function merged(parts: BufferGeometry[]): BufferGeometry {
   const whole = new BufferGeometry();
   whole.setAttribute("position", new Float32BufferAttribute(positions, 3));
   return whole.setAttribute("normal", new Float32BufferAttribute(normals, 3));
+}
+
+/** Axes get shorter where there are many; over the size of the robot. */
+export function axisLength(count: number): number {
+  return Math.min(0.42, Math.max(0.12, 1.1 / Math.sqrt(count)));
 }

@@ -6,7 +6,7 @@ import {
   SphereGeometry, Vector2, Vector3, WebGLRenderer, type Object3D,
 } from "three";
 import type { Description } from "../api/types";
-import { along, slideGeometry, turnGeometry } from "./arc";
+import { along, axisLength, slideGeometry, turnGeometry } from "./arc";
 import { matrix, placed } from "./frames";
 import type { Hit, Painter } from "./painter";
 import type { Arrow, Picture } from "./picture";
@@ -131,7 +131,7 @@ class GlPainter implements Painter {
   private paintAxes({ axes, overlays, scale, theme }: Picture): void {
     const mesh = this.axes!;
     const shown = overlays.has("axes") ? axes.slice(0, mesh.instanceMatrix.count) : [];
-    const size = new Vector3(0.011 * scale, 0.011 * scale, 0.42 * scale);
+    const size = new Vector3(0.008 * scale, 0.008 * scale, axisLength(axes.length) * scale);
     shown.forEach(({ origin, direction, slides }, k) => {
       mesh.setMatrixAt(k, along(origin, direction, size));
       mesh.setColorAt(k, new Color(slides ? theme.green : theme.ink));

@@ -11,7 +11,7 @@ import { flatPainter } from "./flat";
 import { placed, within as inBody } from "./frames";
 import { glPainter } from "./gl";
 import type { Hit, Painter } from "./painter";
-import { arrows, carried, colours, inWorld, type Axis } from "./picture";
+import { arrows, carried, colours, inWorld, modeColour, type Axis } from "./picture";
 import { Swing } from "./swing";
 
 const KEYS: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
@@ -118,7 +118,7 @@ export class Stage {
       overlays: state.overlays,
       axes,
       arrows: state.overlays.has("arrows") ? arrows(model, evaluation, axes, state) : [],
-      arrowColour: state.mode === "softest" ? this.theme.blue : this.theme.vermilion,
+      arrowColour: modeColour(state, this.theme),
       shapes: state.shapes,
       scale: Math.min(this.eye.size, this.eye.distance / 3.6),
       up: this.eye.upward,
