@@ -13,6 +13,7 @@ mod steps;
 mod studies;
 mod suite;
 mod survey;
+mod sweep;
 
 use std::process::ExitCode;
 
@@ -67,6 +68,16 @@ const TASKS: [Task; 16] = [
         name: "tracking",
         about: "the tracker beside Pinocchio and LAPACK, into docs/performance.md",
         run: bench::tracking,
+    },
+    Task {
+        name: "python-bench",
+        about: "calls from Python beside Rust and Pinocchio, into docs/performance.md",
+        run: bench::calls::calls,
+    },
+    Task {
+        name: "sweep",
+        about: "200,000 cases on every engine, killed and resumed, into docs/performance.md",
+        run: sweep::sweep,
     },
     Task {
         name: "bench",

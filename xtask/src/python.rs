@@ -10,14 +10,20 @@ const PACKAGE: &str = "crates/eigenbody-py";
 /// Largest wheel (bytes).
 const LARGEST: u64 = 10_000_000;
 
-/// Builds the wheel and runs every test of the package.
-pub fn test() -> Outcome {
+/// Builds the wheel and puts it beside the oracle.
+pub fn ready(directory: &Path) -> Result<PathBuf, String> {
     if !oracle::python().exists() {
         return Err("the oracle is not installed: run `cargo xtask oracle` first".into());
     }
-    let directory = build_directory()?;
-    let wheel = build(&directory)?;
+    let wheel = build(directory)?;
     install(&oracle::python(), &wheel)?;
+    Ok(wheel)
+}
+
+/// Builds the wheel and runs every test of the package.
+pub fn test() -> Outcome {
+    let directory = build_directory()?;
+    let wheel = ready(&directory)?;
     clean(&directory, &wheel)?;
     run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
     let here = |arguments: &[&str]| {

@@ -63,9 +63,14 @@ fn costs(robots: Vec<Subject>) -> Outcome<StudyPage> {
         eprintln!("{}", subject.name);
         found
     };
-    let (efforts, long_run) = rayon::join(
+    let (efforts, long_runs) = rayon::join(
         || subjects.par_iter().map(effort).collect::<Result<Vec<_>, _>>(),
-        || cost::long_run(1000.0, 1e-3),
+        || {
+            cost::RELEASES
+                .par_iter()
+                .map(|&release| cost::long_run(release, 1000.0, 1e-3))
+                .collect::<Result<Vec<_>, _>>()
+        },
     );
-    Ok(cost_page(&digits, &efforts?, long_run?))
+    Ok(cost_page(&digits, &efforts?, &long_runs?))
 }

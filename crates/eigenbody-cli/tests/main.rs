@@ -14,4 +14,6 @@ mod motion;
 mod page;
 mod reproduce;
 mod run;
+#[cfg(feature = "web")]
+mod serve;
 mod spectrum;

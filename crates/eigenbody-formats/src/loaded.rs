@@ -3,6 +3,7 @@
 use crate::configuration::configuration;
 use crate::error::{FormatError, OneLine};
 use crate::location::Location;
+use crate::looks::Look;
 use crate::urdf::Rotor;
 use eigenbody::dynamics::Closure;
 use eigenbody::model::{Finding, JointInfo, Place};
@@ -27,6 +28,8 @@ pub struct Loaded {
     pub rotors: Vec<Rotor>,
     /// Springs, dampers and feedback of actuators that the file gives.
     pub springs: Vec<Spring>,
+    /// How its links look: visuals of URDF, geoms of MJCF.
+    pub looks: Vec<Look>,
     /// How the file's own engine steps.
     pub stepping: Option<Stepping>,
     pub(crate) keyframes: Vec<Keyframe>,
@@ -236,6 +239,7 @@ impl Loaded {
             mimic: true,
             rotors: Vec::new(),
             springs: Vec::new(),
+            looks: Vec::new(),
             stepping: None,
             keyframes: Vec::new(),
             closures: Vec::new(),

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 /// A primitive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Shape {
+pub enum Shape {
     /// Radius.
     Sphere([f64; 1]),
     /// Radius, half-length of the straight part along z.

@@ -36,11 +36,16 @@ const EXTENSIONS: [&str; 4] = ["urdf", "xml", "sdf", "xacro"];
 ///
 /// A built-in name goes before a file of that name, which is `./puma560`. Errors: [`FormatError`].
 pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
+    load_from(Path::new(""), text, options)
+}
+
+/// [`load`], with the paths of files as they are seen from a folder. Errors: [`FormatError`].
+pub fn load_from(folder: &Path, text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
     let text = text.trim();
-    let path = Path::new(text);
+    let path = folder.join(text);
     let extension = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase);
     if extension.is_some_and(|e| EXTENSIONS.contains(&e.as_str())) {
-        return file(text, options);
+        return file(&path, options);
     }
     if text == PUMA560 {
         return puma560(options);
@@ -54,7 +59,7 @@ pub fn load(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
         return Ok(Loaded::new(model, name, Kind::Family(family), Places::default()));
     }
     match path.exists() {
-        true => file(text, options),
+        true => file(&path, options),
         false => Err(no_model(text)),
     }
 }
@@ -84,9 +89,8 @@ pub fn load_text(text: &str, file_name: &str, options: &LoadOptions) -> Result<L
 }
 
 /// A file, by what its root element says it is: the extension .xml is many formats'.
-fn file(text: &str, options: &LoadOptions) -> Result<Loaded, FormatError> {
-    no_size_ratio(text, options)?;
-    let path = Path::new(text);
+fn file(path: &Path, options: &LoadOptions) -> Result<Loaded, FormatError> {
+    no_size_ratio(&path.to_string_lossy(), options)?;
     #[cfg(feature = "xacro")]
     if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xacro")) {
         return crate::read_xacro(path, &UrdfOptions { base: options.base });

@@ -5,10 +5,16 @@ use crate::error::Failure;
 use crate::model::{Model, Shared};
 use eigenbody::batch::{Batch, BatchError, Lanes};
 use eigenbody::dynamics::{
-    AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into, gravity_force_into,
+    AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into,
     inverse_dynamics_into, mass_matrix_into,
 };
-use eigenbody::{Error, Matrix, Reduction};
+use eigenbody::factor::{
+    CoupledWorkspace, coupled_bias_force_into, coupled_forward_dynamics_into, coupled_inverse_dynamics_into,
+};
+use eigenbody::model::Coupling;
+use eigenbody::{Error, InputError, Matrix, Reduction};
+use numpy::ndarray::{ArrayView, IxDyn};
+use numpy::{PyArray, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -16,6 +22,8 @@ use std::sync::{Mutex, PoisonError};
 
 /// Rows that a thread takes at a time.
 const GRAIN: usize = 32;
+/// Robots of so many degrees of freedom are done with one row before the interpreter's lock is released and taken again.
+const QUICK: usize = 64;
 
 /// A robot in one precision, and memory for its kernels.
 pub struct Robot<T> {
@@ -30,6 +38,12 @@ struct Workspaces<T> {
     rnea: RneaWorkspace<T>,
     aba: AbaWorkspace<T>,
     H: Matrix<T>,
+    /// Where mimic joints follow.
+    coupled: Option<CoupledWorkspace<T>>,
+    /// A velocity of zero.
+    rest: Vec<T>,
+    /// A result on its way into an array.
+    result: Vec<T>,
 }
 
 impl<T: Number> Robot<T> {
@@ -53,24 +67,81 @@ impl<T: Number> Robot<T> {
             crba: CrbaWorkspace::new(model),
             rnea: RneaWorkspace::new(model),
             aba: AbaWorkspace::new(model),
-            H: Matrix::zeros(nv, nv),
+            H: if model.check_dense().is_ok() { Matrix::zeros(nv, nv) } else { Matrix::zeros(0, 0) },
+            coupled: self.coupling().and_then(|coupling| CoupledWorkspace::new(model, coupling).ok()),
+            rest: vec![T::ZERO; self.coupling().map_or(nv, Coupling::nv)],
+            result: Vec::new(),
         }
+    }
+
+    /// The map of mimic joints, where they follow.
+    pub fn coupling(&self) -> Option<&Coupling<T>> {
+        self.model.coupling().filter(|_| self.reduction.mimic)
     }
 
     /// All coordinates of those that a caller gives.
     pub fn expand<'a>(&self, q: &'a [T]) -> Cow<'a, [T]> {
-        match self.model.coupling().filter(|_| self.reduction.mimic) {
+        match self.coupling() {
             Some(coupling) => Cow::Owned(coupling.expand(q)),
             None => Cow::Borrowed(q),
         }
     }
 
-    fn is_coupled(&self) -> bool {
-        self.reduction.mimic && self.model.coupling().is_some()
+    /// True if H and the forces are those of all joints.
+    pub fn is_plain(&self) -> bool {
+        self.coupling().is_none() && !self.reduction.base
+    }
+
+    /// Where mimic joints follow, forces and accelerations are those of the independent ones.
+    fn coupled<'a>(
+        &'a self,
+        room: &'a mut Option<CoupledWorkspace<T>>,
+    ) -> Option<(&'a Coupling<T>, &'a mut CoupledWorkspace<T>)> {
+        self.coupling().zip(room.as_mut())
+    }
+
+    fn inverse_dynamics(
+        &self,
+        work: &mut Workspaces<T>,
+        [q, v, a]: [&[T]; 3],
+        out: &mut [T],
+    ) -> Result<(), InputError> {
+        match self.coupled(&mut work.coupled) {
+            None => inverse_dynamics_into(&self.model, q, v, a, &mut work.rnea, out),
+            Some((map, room)) => {
+                coupled_inverse_dynamics_into(&self.model, map, &map.expand(q), v, a, room, out)
+            }
+        }
+    }
+
+    fn forward_dynamics(
+        &self,
+        work: &mut Workspaces<T>,
+        [q, v, tau]: [&[T]; 3],
+        out: &mut [T],
+    ) -> Result<(), Error> {
+        match self.coupled(&mut work.coupled) {
+            None => forward_dynamics_into(&self.model, q, v, tau, &mut work.aba, out),
+            Some((map, room)) => {
+                coupled_forward_dynamics_into(&self.model, map, &map.expand(q), v, tau, room, out)
+            }
+        }
+    }
+
+    fn bias_force(
+        &self,
+        work: &mut Workspaces<T>,
+        [q, v]: [&[T]; 2],
+        out: &mut [T],
+    ) -> Result<(), InputError> {
+        match self.coupled(&mut work.coupled) {
+            None => bias_force_into(&self.model, q, v, &mut work.rnea, out),
+            Some((map, room)) => coupled_bias_force_into(&self.model, map, &map.expand(q), v, room, out),
+        }
     }
 
     fn mass_matrix(&self, work: &mut Workspaces<T>, q: &[T], out: &mut [T]) -> Result<(), Error> {
-        if self.is_coupled() || self.reduction.base {
+        if !self.is_plain() {
             let H = self.reduction.mass_matrix(&self.model, &self.expand(q))?;
             out.copy_from_slice(H.as_slice());
         } else {
@@ -102,54 +173,43 @@ impl Precision for f32 {
 type Argument<'a, 'py> = (&'static str, &'a Bound<'py, PyAny>, usize);
 
 /// A kernel over whole arrays, all with as many rows.
-type Whole<T> = fn(&eigenbody::Model<T>, &[&[T]], &mut [T]) -> Result<(), BatchError>;
+type Whole<T, const A: usize> = fn(&eigenbody::Model<T>, [&[T]; A], &mut [T]) -> Result<(), BatchError>;
 
 /// Applies a kernel to one row or to all rows of a batch, on all cores; a single row stands in for every row of the others.
 ///
 /// A batch goes through `whole`, in lanes, if there is such a kernel.
-fn apply<'py, T: Precision>(
+fn apply<'py, T: Precision, const A: usize>(
     shared: &Shared,
-    arguments: &[Argument<'_, 'py>],
+    arguments: [Argument<'_, 'py>; A],
     shape: &[usize],
     out: Option<&Bound<'py, PyAny>>,
-    kernel: impl Fn(&Robot<T>, &mut Workspaces<T>, &[&[T]], &mut [T]) -> Result<(), Error> + Sync + Send,
-    whole: Option<Whole<T>>,
+    kernel: impl Fn(&Robot<T>, &mut Workspaces<T>, [&[T]; A], &mut [T]) -> Result<(), Error> + Sync + Send,
+    whole: Option<Whole<T, A>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
-    let mut rows = Vec::with_capacity(arguments.len());
+    let robot = T::robot(shared);
+    if let (None, Some(rows)) = (out, quick_rows(robot, &arguments)) {
+        return quick(robot, arguments[0].1.py(), &rows, shape, kernel);
+    }
+    let mut rows = Vec::with_capacity(A);
     for (what, value, width) in arguments {
-        rows.push((*what, Rows::<T>::new(what, value, *width)?));
+        rows.push((what, Rows::<T>::new(what, value, width)?));
     }
     let named: Vec<(&str, &Rows<'_, T>)> = rows.iter().map(|(what, rows)| (*what, rows)).collect();
     let count = count(&named)?;
     let full: Vec<usize> = count.iter().chain(shape).copied().collect();
     let out = Out::new(arguments[0].1.py(), &full, out)?;
-    let numbers: Vec<(Cow<'_, [T]>, usize)> = rows
-        .iter()
-        .map(|(_, rows)| (rows.numbers(), if rows.count().is_some() { rows.width() } else { 0 }))
-        .collect();
-    let widths: Vec<usize> = rows.iter().map(|(_, rows)| rows.width()).collect();
-    let robot = T::robot(shared);
-    let slices: Vec<(&[T], usize)> = numbers.iter().map(|(all, stride)| (all.as_ref(), *stride)).collect();
+    let numbers: Vec<Cow<'_, [T]>> = rows.iter().map(|(_, rows)| rows.numbers()).collect();
+    let all: [&[T]; A] = std::array::from_fn(|k| numbers[k].as_ref());
+    let widths: [usize; A] = std::array::from_fn(|k| rows[k].1.width());
+    let strides: [usize; A] =
+        std::array::from_fn(|k| if rows[k].1.count().is_some() { widths[k] } else { 0 });
     let size: usize = shape.iter().product();
     let row = |work: &mut Workspaces<T>, k: usize, out: &mut [T]| {
-        let mut inputs: [&[T]; 3] = [&[]; 3];
-        for ((input, (all, stride)), width) in inputs.iter_mut().zip(&slices).zip(&widths) {
-            *input = &all[k * stride..k * stride + width];
-        }
-        kernel(robot, work, &inputs[..slices.len()], out)
+        kernel(robot, work, std::array::from_fn(|i| &all[i][k * strides[i]..][..widths[i]]), out)
     };
-    let is_plain = !robot.is_coupled() && !robot.reduction.base;
-    let whole = whole.filter(|_| is_plain && slices.iter().all(|(_, stride)| *stride > 0));
+    let whole = whole.filter(|_| robot.is_plain() && strides == widths);
     out.fill(|out| match (count, whole) {
-        (Some(count), Some(whole)) if count > 0 => {
-            let all: Vec<&[T]> = slices.iter().map(|(all, _)| *all).collect();
-            whole(&robot.model, &all, out).map_err(|error| match error {
-                BatchError::Shape(source) => source.into(),
-                BatchError::Configuration { index, error } => {
-                    Failure::Numbers { row: Some(index), source: error }
-                }
-            })
-        }
+        (Some(count), Some(whole)) if count > 0 => Ok(whole(&robot.model, all, out)?),
         (None, _) => robot.with(|work| row(work, 0, out)).map_err(Failure::from),
         (Some(_), _) if size == 0 => Ok(()),
         (Some(_), _) => out.par_chunks_mut(size * GRAIN).enumerate().try_for_each(|(block, out)| {
@@ -163,22 +223,61 @@ fn apply<'py, T: Precision>(
     })
 }
 
+/// All arguments, if each is one contiguous row of the right type and width, and the robot is small.
+fn quick_rows<T: Number, const A: usize>(
+    robot: &Robot<T>,
+    arguments: &[Argument<'_, '_>; A],
+) -> Option<[Vec<T>; A]> {
+    if robot.model.nv() > QUICK {
+        return None;
+    }
+    let mut rows = [const { Vec::new() }; A];
+    for (row, (_, value, width)) in rows.iter_mut().zip(arguments) {
+        let array = value.cast::<PyArray1<T>>().ok().filter(|array| array.len() == *width)?;
+        *row = array.to_vec().ok()?;
+    }
+    Some(rows)
+}
+
+/// One row into a new array, with no more ado than there must be: for a small robot that would cost more than its numbers.
+fn quick<'py, T: Number, const A: usize>(
+    robot: &Robot<T>,
+    py: Python<'py>,
+    rows: &[Vec<T>; A],
+    shape: &[usize],
+    kernel: impl Fn(&Robot<T>, &mut Workspaces<T>, [&[T]; A], &mut [T]) -> Result<(), Error>,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    robot.with(|work| {
+        let mut result = std::mem::take(&mut work.result);
+        result.resize(shape.iter().product(), T::ZERO);
+        let done = kernel(robot, work, std::array::from_fn(|k| rows[k].as_slice()), &mut result);
+        let array = done.map_err(Failure::from).and_then(|()| {
+            let view =
+                ArrayView::from_shape(IxDyn(shape), &result).map_err(|error| Failure::input("out", error))?;
+            Ok(PyArray::from_array(py, &view).into_any())
+        });
+        work.result = result;
+        array
+    })
+}
+
 /// What [`apply`] needs to know of each function.
 macro_rules! in_either_precision {
     ($shared:expr, [$(($what:literal, $value:expr, $width:expr)),+], $shape:expr, $out:expr, $kernel:expr, $whole:expr) => {{
         let arguments = [$(($what, $value, $width)),+];
-        Ok(if all_single(&[$($value),+]) {
-            apply::<f32>($shared, &arguments, $shape, $out, $kernel, $whole)?
+        if all_single(&[$($value),+]) {
+            apply::<f32, _>($shared, arguments, $shape, $out, $kernel, $whole)
         } else {
-            apply::<f64>($shared, &arguments, $shape, $out, $kernel, $whole)?
-        })
+            apply::<f64, _>($shared, arguments, $shape, $out, $kernel, $whole)
+        }
     }};
 }
 
-fn check_free(model: &Model) -> Result<(), Failure> {
-    match model.shared.robot.is_coupled() {
-        true => Err(eigenbody::InputError::NotATree.into()),
-        false => Ok(()),
+/// Where mimic joints follow there is a matrix to be had.
+fn check_size(shared: &Shared) -> Result<(), Failure> {
+    match shared.robot.coupling() {
+        Some(_) => Ok(shared.robot.model.check_dense()?),
+        None => Ok(()),
     }
 }
 
@@ -194,8 +293,8 @@ pub fn mass_matrix<'py>(
         [("q", q, model.shared.nq)],
         &[n, n],
         out,
-        |robot, work, input, out| { robot.mass_matrix(work, input[0], out) },
-        Some(|model, input, out| Batch::new(model).mass_matrices(input[0], out))
+        |robot, work, [q], out| robot.mass_matrix(work, q, out),
+        Some(|model, [q], out| Batch::new(model).mass_matrices(q, out))
     )
 }
 
@@ -206,17 +305,15 @@ pub fn inverse_dynamics<'py>(
     a: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
-    check_free(model)?;
+    check_size(&model.shared)?;
     let (nq, nv) = (model.shared.nq, model.shared.nv);
     in_either_precision!(
         &model.shared,
         [("q", q, nq), ("v", v, nv), ("a", a, nv)],
         &[nv],
         out,
-        |robot, work, input, out| {
-            Ok(inverse_dynamics_into(&robot.model, input[0], input[1], input[2], &mut work.rnea, out)?)
-        },
-        Some(|model, input, out| Batch::new(model).inverse_dynamics(input[0], input[1], input[2], out))
+        |robot, work, rows, out| Ok(robot.inverse_dynamics(work, rows, out)?),
+        Some(|model, [q, v, a], out| Batch::new(model).inverse_dynamics(q, v, a, out))
     )
 }
 
@@ -227,17 +324,15 @@ pub fn forward_dynamics<'py>(
     tau: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
-    check_free(model)?;
+    check_size(&model.shared)?;
     let (nq, nv) = (model.shared.nq, model.shared.nv);
     in_either_precision!(
         &model.shared,
         [("q", q, nq), ("v", v, nv), ("tau", tau, nv)],
         &[nv],
         out,
-        |robot, work, input, out| {
-            forward_dynamics_into(&robot.model, input[0], input[1], input[2], &mut work.aba, out)
-        },
-        Some(|model, input, out| Batch::new(model).forward_dynamics(input[0], input[1], input[2], out))
+        Robot::forward_dynamics,
+        Some(|model, [q, v, tau], out| Batch::new(model).forward_dynamics(q, v, tau, out))
     )
 }
 
@@ -247,16 +342,14 @@ pub fn bias_force<'py>(
     v: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
-    check_free(model)?;
+    check_size(&model.shared)?;
     let (nq, nv) = (model.shared.nq, model.shared.nv);
     in_either_precision!(
         &model.shared,
         [("q", q, nq), ("v", v, nv)],
         &[nv],
         out,
-        |robot, work, input, out| {
-            Ok(bias_force_into(&robot.model, input[0], input[1], &mut work.rnea, out)?)
-        },
+        |robot, work, rows, out| Ok(robot.bias_force(work, rows, out)?),
         None
     )
 }
@@ -266,14 +359,19 @@ pub fn gravity_force<'py>(
     q: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
-    check_free(model)?;
+    check_size(&model.shared)?;
     let (nq, nv) = (model.shared.nq, model.shared.nv);
     in_either_precision!(
         &model.shared,
         [("q", q, nq)],
         &[nv],
         out,
-        |robot, work, input, out| { Ok(gravity_force_into(&robot.model, input[0], &mut work.rnea, out)?) },
+        |robot, work, [q], out| {
+            let rest = std::mem::take(&mut work.rest);
+            let done = robot.bias_force(work, [q, &rest], out);
+            work.rest = rest;
+            Ok(done?)
+        },
         None
     )
 }

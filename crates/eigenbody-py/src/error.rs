@@ -1,5 +1,6 @@
 //! Failures as the exceptions of `eigenbody._errors`, with what a program wants to know about them.
 
+use eigenbody::batch::BatchError;
 use eigenbody::{Error, InputError};
 use eigenbody_formats::FormatError;
 use eigenbody_study::StudyError;
@@ -41,6 +42,15 @@ impl From<Error> for Failure {
 impl From<InputError> for Failure {
     fn from(source: InputError) -> Self {
         Self::Numbers { row: None, source: source.into() }
+    }
+}
+
+impl From<BatchError> for Failure {
+    fn from(source: BatchError) -> Self {
+        match source {
+            BatchError::Shape(source) => source.into(),
+            BatchError::Configuration { index, error } => Self::Numbers { row: Some(index), source: error },
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! What a `Model` computes.
 
 use crate::error::Failure;
+use crate::given::{At, Gains, Table};
 use crate::model::Model;
-use crate::{dynamics, spectrum, study};
+use crate::{dynamics, simulate, spectrum, study};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -99,21 +100,33 @@ impl Model {
         spectrum::eigenvalues(self, q, metric, out)
     }
 
-    #[pyo3(signature = (q, /, *, metric="euclidean", out=None))]
+    #[pyo3(signature = (q, /, *, metric="euclidean", accuracy=1e-8, out=None))]
     fn extremes<'py>(
         &self,
         q: &Bound<'py, PyAny>,
         metric: &str,
+        accuracy: f64,
         out: Option<&Bound<'py, PyAny>>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        spectrum::extremes(self, q, metric, out)
+        spectrum::extremes(self, q, metric, accuracy, out)
+    }
+
+    #[pyo3(signature = (q, /, *, metric="euclidean", accuracy=1e-8, out=None))]
+    fn kappa<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        metric: &str,
+        accuracy: f64,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        spectrum::kappa(self, q, metric, accuracy, out)
     }
 
     #[pyo3(signature = (q=None, /, *, metric="euclidean", method="auto", precision="auto", all=false))]
     fn conditioning<'py>(
         &self,
         py: Python<'py>,
-        q: Option<spectrum::At<'py>>,
+        q: Option<At<'py>>,
         metric: &str,
         method: &str,
         precision: &str,
@@ -127,7 +140,8 @@ impl Model {
         )
     }
 
-    #[pyo3(signature = (*, metric="euclidean", samples=2048, seed=1, max_kappa_weighted=None, max_kappa=None, f32_digits=None))]
+    #[pyo3(signature = (*, metric="euclidean", samples=2048, seed=1, max_kappa_weighted=None, max_kappa=None, f32_digits=None,
+        kp=None, kd=None, step=None, integrator=None, want_kappa=None, want_lambda_min=None, want_step=None, baseline=None))]
     #[allow(clippy::too_many_arguments)] // each a named option in Python
     fn check<'py>(
         &self,
@@ -138,8 +152,84 @@ impl Model {
         max_kappa_weighted: Option<f64>,
         max_kappa: Option<f64>,
         f32_digits: Option<f64>,
+        kp: Option<Gains<'py>>,
+        kd: Option<Gains<'py>>,
+        step: Option<f64>,
+        integrator: Option<String>,
+        want_kappa: Option<f64>,
+        want_lambda_min: Option<f64>,
+        want_step: Option<f64>,
+        baseline: Option<Bound<'py, PyAny>>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        study::check(self, py, metric, (samples, seed), [max_kappa_weighted, max_kappa, f32_digits])
+        let look = study::Look {
+            metric,
+            effort: (samples, seed),
+            limits: [max_kappa_weighted, max_kappa, f32_digits],
+            gains: [kp, kd],
+            step,
+            integrator,
+            wants: [want_kappa, want_lambda_min, want_step],
+            baseline,
+        };
+        study::check(self, py, &look)
+    }
+
+    #[pyo3(signature = (time=10.0, *, rate=100.0, q=None, v=None, method="dopri5".to_owned(), step=1e-3, tolerance=1e-9,
+        dynamics="aba".to_owned(), gravity=true, springs=true, damping=None, stiffness=None, rest=None, hold=None, follow=None,
+        bandwidth=2.0, damping_ratio=1.0, kp=None, kd=None, torque=None,
+        monitors=vec!["kappa".to_owned(), "kappa_weighted".to_owned()], events=Vec::new()))]
+    #[allow(clippy::too_many_arguments)] // each a named option in Python
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        time: f64,
+        rate: f64,
+        q: Option<At<'py>>,
+        v: Option<At<'py>>,
+        method: String,
+        step: f64,
+        tolerance: f64,
+        dynamics: String,
+        gravity: bool,
+        springs: bool,
+        damping: Option<Gains<'py>>,
+        stiffness: Option<Gains<'py>>,
+        rest: Option<At<'py>>,
+        hold: Option<At<'py>>,
+        follow: Option<Table<'py>>,
+        bandwidth: f64,
+        damping_ratio: f64,
+        kp: Option<Gains<'py>>,
+        kd: Option<Gains<'py>>,
+        torque: Option<Table<'py>>,
+        monitors: Vec<String>,
+        events: Vec<String>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        let asked = simulate::Asked {
+            time,
+            rate,
+            q,
+            v,
+            method,
+            step,
+            tolerance,
+            dynamics,
+            gravity,
+            springs,
+            damping,
+            stiffness,
+            rest,
+            hold,
+            follow,
+            bandwidth,
+            damping_ratio,
+            kp,
+            kd,
+            torque,
+            monitors,
+            events,
+        };
+        simulate::simulate(self, py, &asked)
     }
 
     #[pyo3(signature = (*, metric="euclidean", samples=2048, seed=1))]

@@ -14,8 +14,10 @@ mod build;
 mod dynamics;
 mod error;
 mod functions;
+mod given;
 mod model;
 mod properties;
+mod simulate;
 mod spectrum;
 mod study;
 mod sweep;
@@ -30,7 +32,7 @@ mod _eigenbody {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::study::reproduce;
+    use crate::study::{Examination, reproduce};
     #[pymodule_export]
     use crate::sweep::SweepPlan;
     #[pymodule_export]

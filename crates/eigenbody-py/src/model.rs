@@ -58,6 +58,33 @@ impl Options {
     }
 }
 
+impl Shared {
+    /// Of all coordinates, those that a caller gives.
+    pub fn given(&self, q: &[f64]) -> Vec<f64> {
+        match self.robot.coupling() {
+            Some(coupling) => coupling.independent_coordinates().iter().map(|&k| q[k]).collect(),
+            None => q.to_vec(),
+        }
+    }
+
+    /// Of the velocities of all degrees of freedom, those that a caller gives.
+    pub fn given_rates(&self, v: &[f64]) -> Vec<f64> {
+        match self.robot.coupling() {
+            Some(coupling) => coupling.independent_dofs().iter().map(|&d| v[d]).collect(),
+            None => v.to_vec(),
+        }
+    }
+
+    /// All coordinates of the configuration that a text names.
+    pub fn configuration(&self, text: &str) -> Result<Vec<f64>, Failure> {
+        let mimic = self.robot.reduction.mimic;
+        Ok(match &self.loaded {
+            Some(loaded) => loaded.configuration(text, mimic)?,
+            None => eigenbody_formats::configuration(text, &self.robot.model, mimic)?,
+        })
+    }
+}
+
 impl Model {
     fn of(loaded: Loaded, name: String, options: Options) -> Result<Self, Failure> {
         let loaded = if options.rotors { loaded.with_rotors()? } else { loaded };
@@ -85,18 +112,9 @@ impl Model {
     }
 
     /// The same robot with another model.
-    pub fn with(&self, model: eigenbody::Model<f64>) -> Self {
-        let Shared { robot, name, findings, loaded, .. } = &*self.shared;
+    pub fn with(shared: &Shared, model: eigenbody::Model<f64>) -> Self {
+        let Shared { robot, name, findings, loaded, .. } = shared;
         Self::assemble(model, robot.reduction, name.clone(), findings.clone(), loaded.clone())
-    }
-
-    /// Of all coordinates, those that a caller gives.
-    pub fn given(&self, q: &[f64]) -> Vec<f64> {
-        let robot = &self.shared.robot;
-        match robot.model.coupling().filter(|_| robot.reduction.mimic) {
-            Some(coupling) => coupling.independent_coordinates().iter().map(|&k| q[k]).collect(),
-            None => q.to_vec(),
-        }
     }
 
     fn family(text: String, base: &str) -> Result<Self, Failure> {

@@ -2,7 +2,7 @@
 
 use crate::error::Failure;
 use crate::model::{Model, Shared};
-use eigenbody_formats::{Loaded, write_mjcf, write_urdf};
+use eigenbody_formats::{Loaded, write_mjcf, write_urdf, write_urdf_with_rotors};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -75,7 +75,8 @@ impl Model {
                 ends[joint.coordinates().start] = [lower, upper];
             }
         }
-        let columns = [0, 1].map(|end| self.given(&ends.iter().map(|pair| pair[end]).collect::<Vec<_>>()));
+        let columns =
+            [0, 1].map(|end| self.shared.given(&ends.iter().map(|pair| pair[end]).collect::<Vec<_>>()));
         PyArray2::from_vec2(py, &columns).unwrap_or_else(|_| PyArray2::zeros(py, [2, 0], false))
     }
 
@@ -98,13 +99,13 @@ impl Model {
     fn keyframes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let keyframes = PyDict::new(py);
         for key in self.shared.loaded.iter().flat_map(Loaded::keyframes) {
-            keyframes.set_item(&key.name, PyArray1::from_vec(py, self.given(&key.q)))?;
+            keyframes.set_item(&key.name, PyArray1::from_vec(py, self.shared.given(&key.q)))?;
         }
         Ok(keyframes)
     }
 
     fn neutral<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_vec(py, self.given(&self.shared.robot.model.neutral()))
+        PyArray1::from_vec(py, self.shared.given(&self.shared.robot.model.neutral()))
     }
 
     #[pyo3(signature = (seed=1, count=None))]
@@ -114,7 +115,7 @@ impl Model {
         seed: u64,
         count: Option<usize>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        let row = |seed| self.given(&self.shared.robot.model.random(seed));
+        let row = |seed| self.shared.given(&self.shared.robot.model.random(seed));
         let Some(count) = count else { return Ok(PyArray1::from_vec(py, row(seed)).into_any()) };
         let mut numbers = Vec::with_capacity(count.saturating_mul(self.shared.nq).min(1 << 26));
         for k in 0..count as u64 {
@@ -130,13 +131,8 @@ impl Model {
         py: Python<'py>,
         text: &str,
     ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
-        let Shared { robot, loaded, .. } = &*self.shared;
-        let mimic = robot.reduction.mimic;
-        let q = match loaded {
-            Some(loaded) => loaded.configuration(text, mimic)?,
-            None => eigenbody_formats::configuration(text, &robot.model, mimic)?,
-        };
-        Ok(PyArray1::from_vec(py, self.given(&q)))
+        let q = self.shared.configuration(text)?;
+        Ok(PyArray1::from_vec(py, self.shared.given(&q)))
     }
 
     #[pyo3(signature = (armature, /))]
@@ -144,7 +140,7 @@ impl Model {
         let model = &self.shared.robot.model;
         let rows = crate::array::Rows::<f64>::new("armature", armature, model.nv())?;
         let changed = model.clone().with_armature(rows.numbers().to_vec())?;
-        Ok(self.with(changed))
+        Ok(Self::with(&self.shared, changed))
     }
 
     #[pyo3(signature = (gravity, /))]
@@ -153,11 +149,14 @@ impl Model {
             return Err(eigenbody::InputError::NotFinite { what: "gravity", index }.into());
         }
         let gravity = eigenbody::spatial::Vec3::from_f64(gravity);
-        Ok(self.with(self.shared.robot.model.clone().with_gravity(gravity)))
+        Ok(Self::with(&self.shared, self.shared.robot.model.clone().with_gravity(gravity)))
     }
 
-    fn to_urdf(&self) -> Result<String, Failure> {
-        write_urdf(&self.shared.robot.model).map_err(|error| Failure::input("model", error))
+    #[pyo3(signature = (*, rotors=false))]
+    fn to_urdf(&self, rotors: bool) -> Result<String, Failure> {
+        let model = &self.shared.robot.model;
+        let text = if rotors { write_urdf_with_rotors(model) } else { write_urdf(model) };
+        text.map_err(|error| Failure::input("model", error))
     }
 
     fn to_mjcf(&self) -> Result<String, Failure> {

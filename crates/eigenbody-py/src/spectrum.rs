@@ -2,7 +2,9 @@
 
 use crate::array::{Out, Rows};
 use crate::error::Failure;
+use crate::given::At;
 use crate::model::{Model, Shared};
+use eigenbody::batch::Batch;
 use eigenbody::spectrum::Precision;
 use eigenbody::{Method, Question, conditioning_at};
 use eigenbody_report::{SpectrumReport, Subject};
@@ -10,19 +12,6 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-
-/// A configuration as a text, or numbers.
-#[derive(FromPyObject)]
-pub enum At<'py> {
-    Text(String),
-    Numbers(Bound<'py, PyAny>),
-}
-
-impl Default for At<'_> {
-    fn default() -> Self {
-        Self::Text("zero".into())
-    }
-}
 
 /// What is asked besides q.
 pub struct Asked<'a> {
@@ -97,7 +86,7 @@ pub fn eigenvalues<'py>(
     let shared = &model.shared;
     let asked = Asked { metric, method: "auto", precision: "auto", all: true };
     let question = asked.question(shared)?;
-    table(shared, q, &question, shared.dofs.len(), out, |answer, row| match &answer.eigenvalues {
+    table(shared, q, &question, &[shared.dofs.len()], out, |answer, row| match &answer.eigenvalues {
         Some(values) if values.len() == row.len() => row.copy_from_slice(values),
         _ => row.fill(f64::NAN),
     })
@@ -108,29 +97,83 @@ pub fn extremes<'py>(
     model: &Model,
     q: &Bound<'py, PyAny>,
     metric: &str,
+    accuracy: f64,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
     let shared = &model.shared;
     let asked = Asked { metric, method: "auto", precision: "auto", all: false };
     let question = asked.question(shared)?;
-    table(shared, q, &question, 2, out, |answer, row| {
-        row[0] = answer.lambda_min.unwrap_or(f64::NAN);
-        row[1] = answer.lambda_max.unwrap_or(f64::NAN);
-    })
+    let rows = Rows::<f64>::new("q", q, shared.nq)?;
+    let numbers = rows.numbers();
+    let numbers: &[f64] = numbers.as_ref();
+    match in_lanes(shared, &rows, accuracy)? {
+        Some(count) => Out::new(q.py(), &[count, 2], out)?.fill(|out| {
+            Batch::new(&shared.robot.model).extremes(numbers, &question.metric, accuracy, out)?;
+            out.chunks_exact_mut(2).filter(|ends| ends[0] == 0.0).for_each(|ends| ends[0] = f64::NAN);
+            Ok(())
+        }),
+        None => table(shared, q, &question, &[2], out, |answer, row| {
+            row[0] = answer.lambda_min.unwrap_or(f64::NAN);
+            row[1] = answer.lambda_max.unwrap_or(f64::NAN);
+        }),
+    }
+}
+
+/// κ: a number or `(k,)`; NaN where λmin is not resolved.
+pub fn kappa<'py>(
+    model: &Model,
+    q: &Bound<'py, PyAny>,
+    metric: &str,
+    accuracy: f64,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let shared = &model.shared;
+    let asked = Asked { metric, method: "auto", precision: "auto", all: false };
+    let question = asked.question(shared)?;
+    let rows = Rows::<f64>::new("q", q, shared.nq)?;
+    let numbers = rows.numbers();
+    let numbers: &[f64] = numbers.as_ref();
+    match in_lanes(shared, &rows, accuracy)? {
+        Some(count) => Out::new(q.py(), &[count], out)?.fill(|out| {
+            let mut ends = vec![0.0; 2 * count];
+            Batch::new(&shared.robot.model).extremes(numbers, &question.metric, accuracy, &mut ends)?;
+            for (kappa, ends) in out.iter_mut().zip(ends.chunks_exact(2)) {
+                *kappa = if ends[0] == 0.0 { f64::NAN } else { ends[1] / ends[0] };
+            }
+            Ok(())
+        }),
+        None => {
+            let found = table(shared, q, &question, &[], out, |answer, row| {
+                row[0] = answer.kappa.unwrap_or(f64::NAN);
+            })?;
+            // One configuration has one number.
+            if rows.count().is_none() && out.is_none() { Ok(found.call_method0("item")?) } else { Ok(found) }
+        }
+    }
+}
+
+/// The rows of a batch that is to be computed side by side: to so many digits, where H is that of all joints.
+fn in_lanes(shared: &Shared, rows: &Rows<'_, f64>, accuracy: f64) -> Result<Option<usize>, Failure> {
+    if !(0.0..1.0).contains(&accuracy) {
+        return Err(Failure::input("accuracy", format!("{accuracy}, expected 0 or a part of 1")));
+    }
+    let fits = accuracy > 0.0 && shared.robot.is_plain() && shared.robot.model.check_dense().is_ok();
+    Ok(rows.count().filter(|&count| fits && count > 0))
 }
 
 fn table<'py>(
     shared: &Shared,
     q: &Bound<'py, PyAny>,
     question: &Question,
-    width: usize,
+    shape: &[usize],
     out: Option<&Bound<'py, PyAny>>,
     write: impl Fn(&eigenbody::Conditioning<f64>, &mut [f64]) + Send + Sync,
 ) -> Result<Bound<'py, PyAny>, Failure> {
     let py = q.py();
     let rows = Rows::<f64>::new("q", q, shared.nq)?;
-    let shape: Vec<usize> = rows.count().into_iter().chain([width]).collect();
-    let out = Out::new(py, &shape, out)?;
+    let width: usize = shape.iter().product();
+    let full: Vec<usize> = rows.count().iter().chain(shape).copied().collect();
+    let out = Out::new(py, &full, out)?;
     let answers = answers(shared, &rows, question, py)?;
     out.fill(|out| {
         if width > 0 {

@@ -23,10 +23,10 @@ impl SweepPlan {
 #[pymethods]
 impl SweepPlan {
     #[new]
-    #[pyo3(signature = (text, /))]
-    fn new(py: Python<'_>, text: &str) -> Result<Self, Failure> {
+    #[pyo3(signature = (text, /, folder=PathBuf::new()))]
+    fn new(py: Python<'_>, text: &str, folder: PathBuf) -> Result<Self, Failure> {
         let spec = Spec::parse(text).map_err(|error| Failure::input("spec", error))?;
-        let plan = py.detach(|| Plan::new(spec)).map_err(|error| Failure::input("spec", error))?;
+        let plan = py.detach(|| Plan::new(spec, &folder)).map_err(|error| Failure::input("spec", error))?;
         Ok(Self { plan })
     }
 

@@ -80,6 +80,38 @@ def test_dynamics_are_inverse_to_each_other():
     assert np.allclose(robot.forward_dynamics(q, v, tau), a, rtol=0, atol=1e-9)
 
 
+@pytest.mark.parametrize("text", ROBOTS)
+@pytest.mark.parametrize("metric", ["euclidean", "unit-diagonal"])
+def test_kappa_side_by_side(text, metric):
+    """In lanes to the accuracy that is asked for; with accuracy 0 each row as if it were alone."""
+    robot = Model(text)
+    q = robot.random(1, 60)
+    alone = np.array([robot.kappa(row, metric=metric) for row in q])
+    assert all(isinstance(robot.kappa(row), float) for row in q[:2])
+    assert np.array_equal(robot.kappa(q, metric=metric, accuracy=0), alone)
+    assert np.array_equal(alone, [robot.conditioning(row, metric=metric).kappa for row in q])
+    ends = robot.extremes(q, metric=metric)
+    assert np.array_equal(robot.kappa(q, metric=metric), ends[:, 1] / ends[:, 0])
+    for accuracy in [1e-6, 1e-8, 1e-12]:
+        found = robot.kappa(q, metric=metric, accuracy=accuracy)
+        assert np.allclose(found, alone, rtol=2 * accuracy, atol=0)
+    out = np.empty(60)
+    assert robot.kappa(q, metric=metric, out=out) is out
+    strided = np.zeros((60, 2))[:, ::2][:, 0]
+    robot.kappa(q, metric=metric, out=strided)
+    assert np.array_equal(strided, out)
+
+
+def test_kappa_of_a_singular_robot_does_not_exist():
+    parts = eigenbody.Parts("massless")
+    base, tip = parts.link("base"), parts.link("tip")
+    parts.joint("j", "revolute", parent=base, child=tip)
+    robot = Model(parts)
+    assert np.isnan(robot.kappa([0.0]))
+    assert np.isnan(robot.kappa([[0.0], [1.0]])).all()
+    assert np.isnan(robot.extremes([[0.0], [1.0]])[:, 0]).all()
+
+
 def test_single_precision_stays_single():
     robot = Model("puma560")
     q = robot.random(1, 7).astype(np.float32)

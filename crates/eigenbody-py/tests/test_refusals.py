@@ -33,6 +33,15 @@ Q = np.zeros(6)
         (lambda: ROBOT.conditioning("elbow=1"), ModelError, "elbow"),
         (lambda: ROBOT.conditioning(Q, metric="length=-1"), ModelError, "positive"),
         (lambda: ROBOT.conditioning(Q, method="magic"), InputError, "method: 'magic'"),
+        (lambda: ROBOT.kappa(np.zeros(5)), InputError, r"q has shape \(5,\)"),
+        (lambda: ROBOT.kappa(np.zeros((3, 6)), accuracy=-1.0), InputError, "accuracy: -1"),
+        (lambda: ROBOT.kappa(np.zeros((3, 6)), accuracy=np.nan), InputError, "accuracy"),
+        (lambda: ROBOT.kappa(np.zeros((3, 6)), out=np.zeros(4)), InputError, r"out has shape \(4,\), expected \(3,\)"),
+        (lambda: ROBOT.kappa([Q, Q + np.nan]), InputError, r"row 1: q\[0\]"),
+        (lambda: ROBOT.extremes([Q, Q, Q + np.inf]), InputError, r"row 2: q\[0\]"),
+        (lambda: ROBOT.extremes(Q, metric="furlong"), ModelError, "furlong"),
+        (lambda: ROBOT.spectrum(np.zeros((2, 7))), InputError, "q has shape"),
+        (lambda: Model.hydra(30_000).spectrum(np.zeros(30_000)), InputError, "too large"),
         (lambda: ROBOT.check(samples=0), InputError, "samples"),
         (lambda: ROBOT.check(max_kappa=-1.0), InputError, "max_kappa"),
         (lambda: ROBOT.with_armature(np.ones(5)), InputError, "armature has shape"),
@@ -99,17 +108,24 @@ def test_empty_batches_give_empty_results():
     assert ROBOT.mass_matrix(none).shape == (0, 6, 6)
     assert ROBOT.aba(none, none, none).shape == (0, 6)
     assert ROBOT.spectrum(none).shape == (0, 6)
+    assert ROBOT.extremes(none).shape == (0, 2)
+    assert ROBOT.kappa(none).shape == (0,)
+    assert ROBOT.rnea(none, none, none).shape == (0, 6)
+    assert ROBOT.bias_force(none, none).shape == (0, 6)
+    assert ROBOT.gravity_force(none).shape == (0, 6)
     assert len(ROBOT.conditioning(none)) == 0
     assert Tracker(ROBOT, Q).update(none).shape == (0, 2)
 
 
 def test_a_million_calls_leak_nothing():
-    q, v = np.zeros(6), np.ones(6)
+    q, v, out = np.zeros(6), np.ones(6), np.empty((6, 6))
 
     def turn(count):
         for _ in range(count):
             ROBOT.mass_matrix(q)
             ROBOT.rnea(q, v, v)
+            ROBOT.aba(q, v, v)
+            ROBOT.mass_matrix(q, out=out)
             try:
                 ROBOT.mass_matrix(v[:5])
             except InputError:
@@ -121,6 +137,25 @@ def test_a_million_calls_leak_nothing():
 
     turn(20_000)
     before = peak()
-    turn(333_000)
+    turn(200_000)
     # 10⁶ calls; a leaked reference of 100 bytes a call would be 100 MB.
     assert peak() - before < 10_000
+
+
+def test_results_of_more_than_arrays_leak_nothing():
+    def turn(count):
+        for _ in range(count):
+            ROBOT.conditioning(Q)
+            ROBOT.simulate(0.01, rate=100.0, monitors=["kappa"])
+            ROBOT.extremes([Q, Q])
+            ROBOT.kappa(Q)
+
+    def peak():
+        gc.collect()
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+    turn(300)
+    before = peak()
+    turn(3000)
+    # Ten times as often: a leaked model or table of a kilobyte a call would be 12 MB.
+    assert peak() - before < 4_000

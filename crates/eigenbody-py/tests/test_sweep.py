@@ -188,6 +188,34 @@ def test_refusals(text, words):
     assert words in str(caught.value)
 
 
+def test_paths_are_seen_from_the_spec(tmp_path, monkeypatch):
+    """The same table from any folder, by any engine: paths in it are as they are written."""
+    text = "[[robots]]\nmodel = ['robots/arm.urdf', 'puma560']\nrandom = 5\n"
+    tables = []
+    for name in ["here", "there"]:
+        folder = tmp_path / name
+        (folder / "robots").mkdir(parents=True)
+        (folder / "robots" / "arm.urdf").write_text(eigenbody.Model.hydra(3).to_urdf())
+        spec = folder / "spec.toml"
+        spec.write_text(text)
+        tables.append(eigenbody.sweep(spec, tmp_path / f"{name}-out").read_bytes())
+        subprocess.run([command_path(), "sweep", str(spec), "-o", str(tmp_path / f"{name}-command")], check=True, capture_output=True)
+        tables.append((tmp_path / f"{name}-command" / "sweep.parquet").read_bytes())
+    with spawned(1) as pool:
+        tables.append(eigenbody.sweep(tmp_path / "here" / "spec.toml", tmp_path / "pool-out", pool).read_bytes())
+    monkeypatch.chdir(tmp_path / "there")
+    tables.append(eigenbody.sweep(text, tmp_path / "text-out").read_bytes())
+    assert all(table == tables[0] for table in tables)
+    rows = parquet.read_table(tmp_path / "here-out" / "sweep.parquet").to_pylist()
+    assert rows[0]["model"] == "robots/arm.urdf"
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(eigenbody.InputError, match="robots/arm.urdf"):
+        SweepPlan(text)
+    # A built-in name goes before a file of that name, as everywhere.
+    (tmp_path / "puma560").write_text("no robot")
+    assert SweepPlan("[[robots]]\nmodel = 'puma560'\n", tmp_path).cases == 1
+
+
 def test_another_sweep_is_not_overwritten(tmp_path):
     first = "[[robots]]\nmodel = 'puma560'\n"
     eigenbody.sweep(first, tmp_path / "out")

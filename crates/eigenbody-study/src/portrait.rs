@@ -1,9 +1,9 @@
 //! A robot in one configuration, as a picture needs it: where its bodies are, its spectrum, and how two modes move it.
 
 use crate::StudyError;
-use crate::diagnosis::softest;
+use crate::diagnosis::{self, Diagnosis, softest};
 use eigenbody::dynamics::{axes, link_pose};
-use eigenbody::search::Evaluator;
+use eigenbody::search::{Evaluator, Measure};
 use eigenbody::spatial::{Motion, Vec3};
 use eigenbody::{Conditioning, Matrix, Metric, Model, Question, Reduction, conditioning_at};
 
@@ -70,6 +70,30 @@ pub struct Portrait {
     pub softest: Option<ModePlace>,
     /// The mode with the most.
     pub stiffest: Option<ModePlace>,
+}
+
+/// The robot where a diagnosis found it at its worst, and by which measures: one portrait a configuration.
+///
+/// Errors: [`StudyError`] if the diagnosis is of another robot.
+pub fn worst_portraits(
+    model: &Model<f64>,
+    question: &diagnosis::Question,
+    found: &Diagnosis,
+) -> Result<Vec<(Vec<Measure>, Portrait)>, StudyError> {
+    let mut all: Vec<(Vec<Measure>, Portrait)> = Vec::new();
+    for worst in &found.worst {
+        let (q, measure) = (&worst.spread.at, worst.spread.measure);
+        if let Some((measures, _)) = all.iter_mut().find(|(_, portrait)| portrait.q == *q) {
+            measures.push(measure);
+            continue;
+        }
+        // κ′ judges in each joint's own units, which a joint without inertia does not have.
+        let metric = if measure == Measure::KappaWeighted { &Metric::UnitDiagonal } else { &question.metric };
+        let drawn = portrait(model, question.reduction, metric, q)
+            .or_else(|_| portrait(model, question.reduction, &Metric::Euclidean, q))?;
+        all.push((vec![measure], drawn));
+    }
+    Ok(all)
 }
 
 /// The portrait of a robot at q.

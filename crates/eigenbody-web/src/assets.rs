@@ -9,9 +9,10 @@ const INDEX: &str = include_str!("../page/dist/index.html");
 const EMPTY: &str = "<meta name=\"eigenbody-token\" content=\"\"";
 
 /// Name, media type and bytes of every other file.
-static FILES: [(&str, &str, &[u8]); 2] = [
+static FILES: [(&str, &str, &[u8]); 3] = [
     ("explorer.js", "text/javascript; charset=utf-8", include_bytes!("../page/dist/assets/explorer.js")),
     ("explorer.css", "text/css; charset=utf-8", include_bytes!("../page/dist/assets/explorer.css")),
+    ("licenses.md", "text/plain; charset=utf-8", include_bytes!("../page/dist/assets/licenses.md")),
 ];
 
 /// The page with this run's token in it.

@@ -1,6 +1,7 @@
 //! What a run of the server knows: its token, the robot that it was started with, and the robots in use.
 
 use crate::api::figure::FIGURES;
+use crate::looks::Meshes;
 use crate::models::Models;
 use crate::robot::{Options, Source};
 use crate::work::Workers;
@@ -43,6 +44,7 @@ pub struct Explorer {
     pub opening: Opening,
     pub models: Models,
     pub workers: Workers,
+    pub meshes: Meshes,
     /// Figures, each computed once.
     pub figures: [OnceLock<Arc<[u8]>>; FIGURES.len()],
     token: String,
@@ -58,6 +60,7 @@ impl Explorer {
             opening,
             models: Models::default(),
             workers: Workers::new(),
+            meshes: Meshes::default(),
             figures: Default::default(),
             token: secret.iter().map(|byte| format!("{byte:02x}")).collect(),
             hosts: [format!("127.0.0.1:{port}"), format!("localhost:{port}")],

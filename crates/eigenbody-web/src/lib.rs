@@ -26,6 +26,7 @@ mod asked;
 mod assets;
 mod explorer;
 mod guard;
+mod looks;
 mod models;
 mod refusal;
 mod robot;

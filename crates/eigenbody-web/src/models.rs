@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Most robots.
-const COUNT: usize = 64;
+const COUNT: usize = 128;
 /// Most bytes, roughly, of all but the latest.
 const BYTES: usize = 96 << 20;
 

@@ -16,6 +16,8 @@ pub const WHOLE: usize = 1000;
 pub const EXAMINED: usize = 256;
 /// Names of robots that are built in, and what they are.
 pub const BUILT_IN: [(&str, &str); 1] = [("puma560", "PUMA 560, an industrial arm")];
+/// Longest text that is sent back to be shown (bytes).
+const SHOWN: usize = 512 * 1024;
 /// Longest name of a text or a family.
 const NAME: usize = 200;
 
@@ -123,6 +125,8 @@ pub struct Robot {
     pub request: Request,
     /// The model, edits made, and what its text says.
     pub loaded: Loaded,
+    /// What it was read from, if that is a text that is short enough to be shown.
+    pub text: Option<String>,
     /// Which degrees of freedom are studied.
     pub reduction: Reduction,
     /// The model's DoF that each row stands for.
@@ -153,7 +157,12 @@ impl Robot {
         let Edits { armature, mass } = request.edits.clone();
         loaded.model = edited(loaded.model, &explore::Edits { armature, mass })?;
         let rows = reduction.dofs(&loaded.model);
-        Ok(Self { id, request, loaded, reduction, rows })
+        let text = match &request.source {
+            Source { opened: true, .. } => file.and_then(|file| std::fs::read_to_string(file).ok()),
+            Source { text, .. } => text.clone(),
+        };
+        let text = text.filter(|text| text.len() <= SHOWN);
+        Ok(Self { id, request, loaded, text, reduction, rows })
     }
 
     /// The model.
@@ -170,8 +179,10 @@ impl Robot {
 
     /// Memory that it takes, roughly.
     pub fn bytes(&self) -> usize {
-        let text = self.request.source.text.as_ref().map_or(0, String::len);
-        text + 2048 * (self.loaded.model.links().len() + self.loaded.model.nv())
+        let size = |text: &Option<String>| text.as_ref().map_or(0, String::len);
+        size(&self.text)
+            + size(&self.request.source.text)
+            + 2048 * (self.loaded.model.links().len() + self.loaded.model.nv())
     }
 
     /// Where it comes from, in a word.

@@ -53,7 +53,7 @@ impl Files {
         let write = |name: &str, text: &[u8]| std::fs::write(folder.path().join(name), text).unwrap();
         write(
             "there.xml",
-            br#"<mujoco><worldbody><body name="secret"><joint/><geom size="1"/></body></worldbody></mujoco>"#,
+            br#"<mujoco><worldbody><body name="attached"><body name="secret"><joint/><geom size="1"/></body></body></worldbody></mujoco>"#,
         );
         write("there.sdf", br#"<sdf version="1.9"><model name="secret"><link name="a"/></model></sdf>"#);
         write("there.urdf", br#"<robot name="secret"><link name="secret"/></robot>"#);
@@ -71,7 +71,15 @@ impl Files {
 fn said(server: &Running, text: &str, name: &str) -> (u16, String) {
     let source = json!({ "source": { "text": text.replace("NAME", name), "name": "dropped.xml" } });
     let reply = server.post("/api/model", &source);
-    (reply.status, reply.text().replace(name, "NAME").replace(&"━".repeat(name.chars().count()), ""))
+    let last = name.rsplit('/').next().unwrap();
+    (
+        reply.status,
+        reply
+            .text()
+            .replace(name, "NAME")
+            .replace(last, "NAME")
+            .replace(&"━".repeat(name.chars().count()), ""),
+    )
 }
 
 const MENTIONS: [(&str, &str); 10] = [
@@ -95,7 +103,7 @@ const MENTIONS: [(&str, &str); 10] = [
     ),
     (
         "model",
-        r#"<mujoco><asset><model name="m" file="NAME"/></asset><worldbody><attach model="m" body="secret" prefix="p"/></worldbody></mujoco>"#,
+        r#"<mujoco><asset><model name="m" file="NAME"/></asset><worldbody><attach model="m" body="attached" prefix="p"/></worldbody></mujoco>"#,
     ),
     ("sdf", r#"<sdf version="1.9"><model name="m"><include><uri>NAME</uri></include></model></sdf>"#),
     (
@@ -158,8 +166,8 @@ fn meshes_of_a_dropped_urdf_are_not_read() {
             <joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>"#
         );
         let described = server.model(&json!({ "text": text, "name": "arm.urdf" }));
-        assert_eq!(described["meshes"], json!([]), "{name}");
-        assert!(!described["bodies"].to_string().contains("mesh"), "{name}");
+        assert_eq!(described["bodies"][0]["shapes"], json!([]), "{name}");
+        assert_eq!(server.get("/api/mesh/0", &[]).status, 404);
     }
 }
 
@@ -237,4 +245,77 @@ fn the_file_that_was_named_is_opened() {
     let error = &reply.json()["error"];
     assert_eq!((&error["line"], &error["column"]), (&json!(2), &json!(3)), "{error}");
     assert!(error["excerpt"].as_str().unwrap().contains("<bodies/>"));
+}
+
+/// A binary STL file of these triangles.
+fn stl(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
+    let mut bytes = vec![0; 80];
+    bytes.extend((triangles.len() as u32).to_le_bytes());
+    for triangle in triangles {
+        bytes.extend([0; 12]);
+        bytes.extend(triangle.iter().flatten().flat_map(|x| x.to_le_bytes()));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+/// The robot of the command line is drawn with its meshes, from its own folder and the package around it; what lies elsewhere is not read,
+/// by whatever name, nor through a link.
+#[test]
+fn meshes_come_from_the_folder_of_the_named_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let package = folder.path().join("arm_description");
+    for below in ["urdf", "meshes", "deep/urdf"] {
+        std::fs::create_dir_all(package.join(below)).unwrap();
+    }
+    let tetrahedron = stl(&[
+        [[0., 0., 0.], [0., 1., 0.], [1., 0., 0.]],
+        [[0., 0., 0.], [1., 0., 0.], [0., 0., 1.]],
+        [[0., 0., 0.], [0., 0., 1.], [0., 1., 0.]],
+        [[1., 0., 0.], [0., 1., 0.], [0., 0., 1.]],
+    ]);
+    std::fs::write(package.join("meshes/near.stl"), &tetrahedron).unwrap();
+    std::fs::write(folder.path().join("secret.stl"), &tetrahedron).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(folder.path().join("secret.stl"), package.join("meshes/link.stl")).unwrap();
+    let secret = folder.path().join("secret.stl").display().to_string();
+    let names = [
+        ("../meshes/near.stl", true),
+        ("package://arm_description/meshes/near.stl", true),
+        ("package://meshes/near.stl", true),
+        ("../../secret.stl", false),
+        ("package://arm_description/../secret.stl", false),
+        ("../meshes/link.stl", false),
+        (secret.as_str(), false),
+        ("../urdf/arm.urdf", false),
+        ("/dev/zero", false),
+    ];
+    for (name, is_read) in names {
+        let text = format!(
+            r#"<robot name="r"><link name="a"><visual><geometry><box size="1 2 3"/></geometry></visual></link><link name="b">
+            <visual><origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/><geometry><mesh filename="{name}" scale="2 2 2"/></geometry></visual>
+            <visual><geometry><cylinder radius="0.5" length="3"/></geometry></visual><visual><geometry><cone/></geometry></visual></link>
+            <joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>"#
+        );
+        let file = package.join("urdf/arm.urdf");
+        std::fs::write(&file, text).unwrap();
+        let server = Running::with(Opening::new(&file.display().to_string(), Options::default()).unwrap());
+        let described = server.model(&json!({ "opened": true }));
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let cylinder =
+            json!({ "kind": "cylinder", "size": [0.5, 1.5], "pose": [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0] });
+        let mesh = json!({ "kind": "mesh", "size": [2.0, 2.0, 2.0], "mesh": 0, "pose": [1.0, 2.0, 3.0, half, 0.0, 0.0, half] });
+        let shapes = described["bodies"][0]["shapes"].as_array().unwrap();
+        assert_eq!(described["still"][0]["size"], json!([0.5, 1.0, 1.5]), "{name}");
+        if is_read {
+            assert_eq!(shapes.len(), 2, "{name}");
+            assert_eq!((&shapes[0]["kind"], &shapes[0]["mesh"]), (&mesh["kind"], &mesh["mesh"]));
+            let triangles = server.get("/api/mesh/0", &[]).json();
+            assert_eq!(triangles["positions"].as_array().unwrap().len(), 12, "corners are merged");
+            assert_eq!(triangles["indices"].as_array().unwrap().len(), 12);
+        } else {
+            assert_eq!(server.get("/api/mesh/0", &[]).status, 404, "{name}");
+        }
+        assert_eq!(shapes.last(), Some(&cylinder), "{name}");
+    }
 }

@@ -58,7 +58,7 @@ fn a_hundred_clients_for_ten_seconds() {
                     };
                     let mut round = 0u64;
                     while began.elapsed() < TIME {
-                        // More robots in all than are kept: some are forgotten and made again.
+                        // Eighty robots in all, made by whoever asks first.
                         let mass = 1.0 + ((client as u64 + round) % 20) as f64 / 10.0;
                         let source = json!({ "family": robots[(client + round as usize) % robots.len()] });
                         let model = ask(

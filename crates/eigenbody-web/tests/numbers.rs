@@ -177,7 +177,7 @@ fn a_check_is_that_of_the_command_line() {
     let loaded = load_text(ARM, "arm.urdf", &LoadOptions::default()).unwrap();
     let reduction = Reduction { mimic: true, base: false };
     let question =
-        diagnosis::Question { reduction, drive: Drive::from(&loaded), ..diagnosis::Question::default() };
+        diagnosis::Question { reduction, drive: Drive::of(&loaded), ..diagnosis::Question::default() };
     let effort = eigenbody::search::Effort { samples: 256, ..question.effort };
     let expected = diagnose(&loaded.model, &diagnosis::Question { effort, ..question }, |_| ()).unwrap();
     let report = DiagnosisReport::of("arm.urdf", &loaded, &expected);
@@ -268,7 +268,7 @@ fn models_are_kept_while_they_are_used() {
     let first = server.model(&source)["id"].clone();
     assert_eq!(server.model(&source)["id"], first, "the same robot is made once");
     let used = server.model(&json!({ "family": "hydra(2)" }));
-    for n in 0..64 {
+    for n in 0..128 {
         server.model(&json!({ "family": format!("hydra({})", 4 + n) }));
         assert_eq!(server.post("/api/evaluate", &json!({ "id": used["id"], "q": [0, 0] })).status, 200);
     }

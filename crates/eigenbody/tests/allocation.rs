@@ -7,7 +7,10 @@ use eigenbody::dynamics::{
     bias_force_into, energy_into, floating_mass_matrix_into, forward_dynamics_into, gravity_force_into,
     inverse_dynamics_into, link_pose, mass_matrix_into, momentum_into,
 };
-use eigenbody::factor::{Ltdl, Ltl};
+use eigenbody::factor::{
+    CoupledWorkspace, Ltdl, Ltl, coupled_bias_force_into, coupled_forward_dynamics_into,
+    coupled_inverse_dynamics_into,
+};
 use eigenbody::scalar::{Dd, Real};
 use eigenbody::{Base, Family, Matrix, Model};
 use std::collections::BTreeSet;
@@ -66,6 +69,30 @@ fn dynamics_allocate_nothing<T: Real>() {
         assert_none("energy", || _ = energy_into(&model, &q, &v, &mut sweep).unwrap());
         assert_none("pose", || _ = link_pose(&model, &q, model.links().len() - 1).unwrap());
     }
+}
+
+#[test]
+fn coupled_dynamics_allocate_nothing() {
+    let model = crate::factor::coupled::hand(Base::Floating);
+    let coupling = model.coupling().unwrap();
+    let mut room = CoupledWorkspace::new(&model, coupling).unwrap();
+    let (q, rate) = (coupling.expand(&coupling_start(&model)), vec![0.3; coupling.nv()]);
+    let mut out = vec![0.0; coupling.nv()];
+    assert_none("coupled RNEA", || {
+        coupled_inverse_dynamics_into(&model, coupling, &q, &rate, &rate, &mut room, &mut out).unwrap();
+    });
+    assert_none("coupled bias force", || {
+        coupled_bias_force_into(&model, coupling, &q, &rate, &mut room, &mut out).unwrap();
+    });
+    assert_none("coupled forward dynamics", || {
+        coupled_forward_dynamics_into(&model, coupling, &q, &rate, &rate, &mut room, &mut out).unwrap();
+    });
+}
+
+/// The independent coordinates of a random configuration.
+fn coupling_start(model: &Model<f64>) -> Vec<f64> {
+    let q = model.random(4);
+    model.coupling().unwrap().independent_coordinates().iter().map(|&k| q[k]).collect()
 }
 
 fn factors_allocate_nothing<T: Real>() {

@@ -3,10 +3,11 @@
 //! eigenbody and the dense solvers run in turn, several times over, and medians are compared: on a machine that does other
 //! things besides, only ratios within one run mean anything.
 
-mod figures;
+pub mod calls;
+pub mod figures;
 mod instructions;
 pub mod peers;
-mod report;
+pub mod report;
 mod tracking;
 
 use std::path::{Path, PathBuf};

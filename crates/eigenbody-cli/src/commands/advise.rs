@@ -6,10 +6,10 @@ use crate::failure::Failure;
 use crate::output::deliver;
 use eigenbody::search::Effort;
 use eigenbody::stability::Integrator;
-use eigenbody::{InputError, Model, Reduction};
+use eigenbody::{Model, Reduction};
 use eigenbody_formats::{Loaded, write_mjcf, write_urdf_with_rotors};
 use eigenbody_study::StudyError;
-use eigenbody_study::diagnosis::{Drive, Goal, Remedies, Wish, remedies};
+use eigenbody_study::diagnosis::{Change, Drive, Goal, Remedies, Wish, remedies};
 use std::path::Path;
 
 /// The goal of the command line, what fulfils it, and a model with that where one is asked for.
@@ -25,7 +25,7 @@ pub fn advise(
     let wish = Wish { reduction, goal, effort, springs: &drive.springs };
     let failed = |error: StudyError| Failure::Usage(format!("{name}: {error}"));
     let found = remedies(&loaded.model, &wish).map_err(failed)?;
-    if found.armature.is_none() && found.links.is_empty() && found.limits.is_empty() {
+    if found.is_empty() {
         return Err(Failure::Usage(format!("{name}: nothing was found that does what is wanted")));
     }
     if let Some(path) = &args.write_patch {
@@ -63,24 +63,15 @@ fn goal(args: &CheckArgs, drive: &Drive) -> Result<Option<Goal>, Failure> {
 
 fn mended(model: &Model<f64>, found: &Remedies, args: &CheckArgs) -> Result<Model<f64>, Failure> {
     let name = &args.model.model;
-    let missing =
-        |what: &str| Failure::Usage(format!("{name}: no {what} was found that does what is wanted"));
-    let model = model.clone();
-    let changed = match args.remedy {
-        RemedyArg::Armature => {
-            let advice = found.armature.as_ref().ok_or_else(|| missing("armature"))?;
-            model.with_armature(advice.armature.clone())
-        }
-        RemedyArg::Link => {
-            let link = found.links.first().ok_or_else(|| missing("link"))?;
-            model.with_inertia(link.index, link.mended)
-        }
-        RemedyArg::Limit => {
-            let limit = found.limits.first().ok_or_else(|| missing("limit"))?;
-            model.with_limits(limit.index, Some(limit.kept))
-        }
+    let (change, what) = match args.remedy {
+        RemedyArg::Armature => (Change::Armature, "armature"),
+        RemedyArg::Link => (Change::Link, "link"),
+        RemedyArg::Limit => (Change::Limit, "limit"),
     };
-    changed.map_err(|source: InputError| Failure::Numbers { model: name.clone(), source: source.into() })
+    let mended = found.mend(model, change);
+    mended
+        .map_err(|source| Failure::Numbers { model: name.clone(), source: source.into() })?
+        .ok_or_else(|| Failure::Usage(format!("{name}: no {what} was found that does what is wanted")))
 }
 
 fn write(model: &Model<f64>, path: &Path, name: &str) -> Result<(), Failure> {

@@ -9,15 +9,13 @@ use crate::failure::Failure;
 use crate::output::deliver;
 use crate::settings::Settings;
 use crate::system::robot;
-use eigenbody::search::{Effort, Measure};
-use eigenbody::{Metric, Model};
+use eigenbody::Metric;
+use eigenbody::search::Effort;
 use eigenbody_formats::Loaded;
-use eigenbody_report::{
-    Baseline, DiagnosisReport, Page, State, WorstPicture, advice_text, diagnosis_text, significant,
-};
+use eigenbody_report::{Baseline, DiagnosisReport, Page, State, advice_text, diagnosis_text};
 use eigenbody_study::StudyError;
 use eigenbody_study::diagnosis::{Diagnosis, Goal, Limits, Question, Remedies, Severity, diagnose};
-use eigenbody_study::portrait::portrait;
+use eigenbody_study::portrait::worst_portraits;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
@@ -136,84 +134,10 @@ fn baseline(path: &std::path::Path) -> Result<(String, Baseline), Failure> {
 /// The page: the report, and portraits of the worst configurations.
 fn html(examined: &Examined) -> Result<String, Failure> {
     let Examined { loaded, question, settings, found, report, .. } = examined;
-    let model = &loaded.model;
-    let mut worst: Vec<WorstPicture> = Vec::new();
-    for found in &found.worst {
-        let (q, measure) = (&found.spread.at, found.spread.measure);
-        if let Some(same) = worst.iter_mut().find(|worst| worst.portrait.q == *q) {
-            same.measures.push(measure_name(measure));
-            continue;
-        }
-        // κ′ judges in each joint's own units, which a joint without inertia does not have.
-        let metric = if measure == Measure::KappaWeighted { &Metric::UnitDiagonal } else { &question.metric };
-        let drawn = portrait(model, question.reduction, metric, q)
-            .or_else(|_| portrait(model, question.reduction, &Metric::Euclidean, q))
-            .map_err(|error| failed(&report.model, error))?;
-        worst.push(WorstPicture { measures: vec![measure_name(measure)], portrait: drawn });
-    }
-    let page = Page {
-        report: report.clone(),
-        robot: model.name().to_owned(),
-        base: match (model.has_floating_base(), question.reduction.base) {
-            (false, _) => "fixed",
-            (true, false) => "floating",
-            (true, true) => "free-floating",
-        }
-        .to_owned(),
-        mass: model.bodies().iter().map(|body| body.inertia().m).sum(),
-        bodies: model.bodies().len(),
-        coordinates: coordinates(model),
-        unit: found.unit,
-        worst,
-        method: method(question, settings, found),
-    };
-    Ok(page.to_html())
-}
-
-fn measure_name(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Kappa => "kappa",
-        Measure::KappaWeighted => "kappa_weighted",
-        Measure::LambdaMin => "lambda_min",
-    }
-}
-
-/// Name and unit of every coordinate.
-fn coordinates(model: &Model<f64>) -> Vec<(String, &'static str)> {
-    let mut names = Vec::with_capacity(model.nq());
-    for joint in model.joints() {
-        let dofs: Vec<usize> = joint.dofs().collect();
-        if joint.kind().nq() == dofs.len() {
-            let unit = |d: usize| if model.is_translation(d) { "m" } else { "rad" };
-            names.extend(dofs.into_iter().map(|d| (model.dof_name(d), unit(d))));
-        } else {
-            // A displacement if there is one, then a unit quaternion.
-            let moves = joint.kind().nq() - 4;
-            let parts = ["x", "y", "z"].into_iter().take(moves).map(|part| (part, "m"));
-            let turns = ["w", "x", "y", "z"].map(|part| (part, "1"));
-            names.extend(parts.chain(turns).map(|(part, unit)| (format!("{}/{part}", joint.name()), unit)));
-        }
-    }
-    names
-}
-
-fn method(question: &Question, settings: &Settings, found: &Diagnosis) -> Vec<(String, String)> {
-    let Question { reduction, metric, effort, limits, .. } = question;
-    let settings =
-        settings.path.as_ref().map_or_else(|| "none".to_owned(), |path| path.display().to_string());
-    let rows = [
-        ("eigenbody", env!("CARGO_PKG_VERSION").to_owned()),
-        ("samples", effort.samples.to_string()),
-        ("seed", effort.seed.to_string()),
-        ("configurations evaluated", found.evaluations.to_string()),
-        ("metric of κ and λmin", metric.to_string()),
-        ("mimic joints", if reduction.mimic { "follow" } else { "move freely" }.to_owned()),
-        ("a finding if κ′ exceeds", significant(limits.kappa_weighted, 3)),
-        ("a finding if κ exceeds", significant(limits.kappa, 3)),
-        ("digits that single precision must keep", significant(limits.f32_digits, 3)),
-        ("settings", settings),
-    ];
-    rows.map(|(what, how)| (what.to_owned(), how)).into()
+    let worst = worst_portraits(&loaded.model, question, found);
+    let worst = worst.map_err(|error| failed(&report.model, error))?;
+    let settings = settings.path.as_ref().map(|path| path.display().to_string());
+    Ok(Page::new(report.clone(), &loaded.model, question, found, worst, settings).to_html())
 }
 
 /// What the options say, else the file, else the defaults.

@@ -7,14 +7,12 @@ use crate::failure::Failure;
 use crate::system::robot;
 use eigenbody::dynamics::energy;
 use eigenbody::spatial::Vec3;
-use eigenbody::spectrum::Tracker;
-use eigenbody::stability::{Spring, SpringSource};
-use eigenbody::{Metric, Model, Reduction};
+use eigenbody::{Model, Reduction};
 use eigenbody_formats::motion::Wanted;
 use eigenbody_formats::{Loaded, Motion, MotionOptions, gains, velocity};
 use eigenbody_study::simulate::{
     Algorithm, Controller, DORMAND_PRINCE, Forces, Method, RK4, Report, Simulation, State, Steps, Trajectory,
-    Watch, joint_limits,
+    joint_limits, level, passive_springs,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -30,6 +28,7 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
     let name = &args.model.model;
     let q = loaded.configuration(&args.initial, reduction.mimic)?;
     let v = velocity(&args.velocity, &loaded.model)?;
+    let v = loaded.model.coupling().filter(|_| reduction.mimic).map_or(v.clone(), |map| map.follow(&v));
     let forces = forces(args, &loaded, reduction)?;
     let is_free = forces.springs.is_empty() && forces.controller.is_none() && forces.torque.is_none();
     let model = match args.gravity {
@@ -37,11 +36,11 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
         Switch::Off => loaded.model.clone().with_gravity(Vec3::ZERO),
     };
     let (method, steps) = method(args)?;
-    let algorithm = match (args.dynamics, model.coupling().is_some() && reduction.mimic) {
-        (_, true) => Algorithm::Coupled,
-        (DynamicsArg::Aba, false) => Algorithm::Aba,
-        (DynamicsArg::Crba, false) => Algorithm::CrbaLtl,
+    let algorithm = match args.dynamics {
+        DynamicsArg::Aba => Algorithm::Aba,
+        DynamicsArg::Crba => Algorithm::CrbaLtl,
     };
+    let algorithm = algorithm.of(&model, reduction);
     let (time, rate) = (positive("--time", args.time)?, positive("--rate", args.rate)?);
     let intervals = (time * rate).round().max(1.0);
     if intervals > 1e9 {
@@ -52,7 +51,8 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
         Simulation::new(&model, &q, &v, method, steps, forces, algorithm).map_err(refused)?;
     let mut watches = joint_limits(&model);
     for event in &args.event {
-        watches.push(level(event, &model, reduction, &q)?);
+        let watch = level(event, &model, reduction, &q);
+        watches.push(watch.map_err(|error| Failure::Usage(format!("--event {event}: {error}")))?);
     }
     let mut recorder = Recorder::new(&model, name, reduction, &quantities, true, &args.rows)?;
 
@@ -154,26 +154,13 @@ fn forces(args: &SimulateArgs, loaded: &Loaded, reduction: Reduction) -> Result<
         model: args.model.model.clone(),
         source: source.into(),
     };
-    let mut springs = match args.springs {
-        Switch::On => loaded.springs.clone(),
-        Switch::Off => Vec::new(),
+    let own = match args.springs {
+        Switch::On => &loaded.springs[..],
+        Switch::Off => &[],
     };
+    let more = |text: &Option<String>| text.as_ref().map_or(Ok(Vec::new()), |text| gains(text, model));
     // An actuator's feedback is a controller, and that is --hold.
-    springs.retain(|spring| spring.source != SpringSource::Actuator);
-    let mut more = |text: &Option<String>, part: fn(&mut Spring) -> &mut f64| -> Result<(), Failure> {
-        let Some(text) = text else { return Ok(()) };
-        for (d, gain) in gains(text, model)?.into_iter().enumerate() {
-            let Some(gain) = gain else { continue };
-            let (name, arms, source) = (model.dof_name(d), vec![(d, 1.0)], SpringSource::Joint);
-            let mut spring = Spring { name, source, arms, stiffness: 0.0, damping: 0.0 };
-            *part(&mut spring) = gain;
-            springs.push(spring);
-        }
-        Ok(())
-    };
-    more(&args.damping, |spring| &mut spring.damping)?;
-    more(&args.stiffness, |spring| &mut spring.stiffness)?;
-    springs.retain(|spring| spring.stiffness != 0.0 || spring.damping != 0.0);
+    let springs = passive_springs(model, own, &more(&args.damping)?, &more(&args.stiffness)?);
     let target = match (&args.hold, &args.follow) {
         (Some(posture), _) => Some(Trajectory::constant(loaded.configuration(posture, reduction.mimic)?)),
         (None, Some(file)) => Some(trajectory(file, model, reduction, Wanted::Configurations)?),
@@ -210,34 +197,4 @@ fn trajectory(
     let width = if wanted == Wanted::Forces { model.nv() } else { model.nq() };
     Trajectory::new(times, rows, width)
         .map_err(|error| Failure::Usage(format!("{}: {error}", file.display())))
-}
-
-/// `kappa=1e5`: where a quantity crosses a level.
-fn level<'a>(
-    text: &str,
-    model: &'a Model<f64>,
-    reduction: Reduction,
-    q: &[f64],
-) -> Result<Watch<'a>, Failure> {
-    let usage = |what: &str| Failure::Usage(format!("--event {text}: {what}"));
-    let (name, level) = text.split_once('=').ok_or_else(|| usage("expected QUANTITY=X"))?;
-    let level: f64 = level.trim().parse().map_err(|_| usage("expected a number"))?;
-    let (metric, value): (_, fn([f64; 2]) -> f64) = match name.trim() {
-        "kappa" => (Metric::Euclidean, |[min, max]| max / min),
-        "kappa_weighted" => (Metric::UnitDiagonal, |[min, max]| max / min),
-        "lambda_min" => (Metric::Euclidean, |[min, _]| min),
-        "lambda_max" => (Metric::Euclidean, |[_, max]| max),
-        _ => return Err(usage("known: kappa, kappa_weighted, lambda_min, lambda_max")),
-    };
-    if reduction.mimic && model.coupling().is_some() {
-        return Err(usage("not where mimic joints follow; see --mimic off"));
-    }
-    let name = name.trim().to_owned();
-    let mut tracker =
-        Tracker::new(model, q, &metric, reduction.base).map_err(|error| usage(&error.to_string()))?;
-    let words = |verb: &str| format!("{name} {verb} {level}");
-    Ok(Watch::new(words("rises above"), words("falls below"), move |state: &State| {
-        // A state that does not fit has no value, and the motion ends for a better reason.
-        tracker.update(&state.q).map_or(f64::NAN, |ends| value(ends.map(|end| end.value)) - level)
-    }))
 }

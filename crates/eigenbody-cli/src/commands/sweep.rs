@@ -44,7 +44,8 @@ fn plan(path: &Path) -> Result<Plan, Failure> {
     let text =
         std::fs::read_to_string(path).map_err(|source| Failure::File { path: path.to_owned(), source })?;
     let spec = Spec::parse(&text).map_err(|error| Failure::Usage(format!("{}:{error}", path.display())))?;
-    Plan::new(spec).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))
+    let folder = path.parent().unwrap_or(Path::new(""));
+    Plan::new(spec, folder).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))
 }
 
 /// One thread a chunk, as many chunks at a time as there are threads.

@@ -5,6 +5,7 @@ use super::compiler::Compiler;
 use super::defaults::{Defaults, MAIN, Styled};
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mesh::{Enclosed, Mesh, MeshFault, Mode, enclosed};
+use crate::looks::Form;
 use crate::suggest::did_you_mean;
 use crate::xml::{Element, Files};
 use eigenbody::spatial::{Mat3, Vec3};
@@ -74,6 +75,18 @@ impl<'a> Assets<'a> {
         }
         let computed = Rc::new(asset.read(name, folders)?);
         Ok(Rc::clone(asset.enclosed.get_or_init(|| computed)))
+    }
+
+    /// How a mesh looks, if it stands in a file as it is: not moved or turned by its asset.
+    pub fn look(&self, name: &str, folders: &Folders<'_>) -> Option<Form> {
+        let styled = &self.meshes.get(name)?.styled;
+        let element = styled.element;
+        if element.find("refpos").or(element.find("refquat")).is_some() {
+            return None;
+        }
+        let path = folders.mesh(element, &element.find("file")?.value);
+        let file = path.strip_prefix(&folders.main).unwrap_or(&path).display().to_string();
+        Some(Form::Mesh { file, scale: array(styled.find("scale"), "mesh").ok()?.unwrap_or([1.0; 3]) })
     }
 
     /// The half-edges of the box that counts as a height field.

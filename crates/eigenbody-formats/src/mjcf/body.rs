@@ -3,6 +3,7 @@
 use super::compiler::Compiler;
 use super::geom::Geom;
 use super::spring::JointSpring;
+use crate::looks::Form;
 use crate::xml::Spot;
 use eigenbody::spatial::{Sym3, Transform, Vec3};
 use std::rc::Rc;
@@ -70,6 +71,8 @@ pub(super) struct Body {
     pub joints: Vec<Joint>,
     pub inertial: Option<Inertial>,
     pub geoms: Vec<Geom>,
+    /// What is drawn of it, each from the body's frame to the shape's.
+    pub looks: Vec<(Transform<f64>, Form)>,
     /// Sites that loops may be fastened to, by name, each from the body's frame to its own.
     pub sites: Vec<(String, Transform<f64>)>,
     pub children: Vec<usize>,
@@ -120,11 +123,11 @@ impl Part {
         &self.bodies[id - self.first]
     }
 
-    /// How many bodies and geoms stand in a body.
+    /// How many bodies and geoms, weighed and drawn, stand in a body.
     pub fn size(&self, of: usize) -> (usize, usize) {
         let (mut bodies, mut geoms, mut stack) = (0, 0, vec![of]);
         while let Some(id) = stack.pop() {
-            geoms += self.body(id).geoms.len();
+            geoms += self.body(id).geoms.len() + self.body(id).looks.len();
             bodies += self.body(id).children.len();
             stack.extend(&self.body(id).children);
         }
@@ -186,6 +189,8 @@ impl Tree {
     ) {
         let geoms = part.body(from).geoms.iter().map(|g| Geom { pose: g.pose * place, ..*g });
         self.bodies[to].geoms.extend(geoms);
+        let looks = part.body(from).looks.iter().map(|(pose, form)| (*pose * place, form.clone()));
+        self.bodies[to].looks.extend(looks);
         let sites = part.body(from).sites.iter().map(|(name, pose)| (rename.name(name), *pose * place));
         self.bodies[to].sites.extend(sites);
         for &child in &part.body(from).children {
@@ -243,6 +248,7 @@ impl Body {
             joints: Vec::new(),
             inertial: None,
             geoms: Vec::new(),
+            looks: Vec::new(),
             sites: Vec::new(),
             children: Vec::new(),
             settings: Rc::clone(settings),

@@ -9,6 +9,7 @@ use super::coupling::Known;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mass::{self, Mass};
 use super::spring::JointSpring;
+use crate::looks::{Form, Look};
 use crate::write::quaternion;
 use crate::xml::{Element, Spot};
 use eigenbody::dynamics::Anchor;
@@ -33,6 +34,8 @@ pub(super) struct Parts {
     pub base_armature: f64,
     /// Bodies and sites by name.
     pub frames: Frames,
+    /// What is drawn of links.
+    pub looks: Vec<Look>,
     /// Springs of joints, by the joint's position.
     pub springs: Vec<(usize, JointSpring)>,
     names: Names,
@@ -75,6 +78,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
         known: HashMap::new(),
         base_armature: 0.0,
         frames: Frames::default(),
+        looks: Vec::new(),
         springs: Vec::new(),
         names: Names::reserving(tree, &order),
     };
@@ -97,11 +101,16 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
             }
         };
         placed.insert(id, here);
+        let shift = Transform::translation(-here.origin);
+        parts.draw(body, here);
         parts.frames.bodies.insert(name, here);
         for (site, pose) in &body.sites {
-            let pose = *pose * Transform::translation(-here.origin);
+            let pose = *pose * shift;
             parts.frames.sites.insert(site.clone(), Anchor { link: Some(here.link.index()), pose });
         }
+    }
+    if let Some(&world) = placed.get(&WORLD) {
+        parts.draw(&tree.bodies[WORLD], world);
     }
     for (site, pose) in &tree.bodies[WORLD].sites {
         parts.frames.sites.insert(site.clone(), Anchor { link: None, pose: *pose });
@@ -216,6 +225,17 @@ fn take(taken: &mut HashSet<String>, wish: &str) -> String {
 }
 
 impl Parts {
+    /// What is drawn of a body, as of its link.
+    fn draw(&mut self, body: &Body, here: Placed) {
+        let Some(link) = self.link_names.get(here.link.index()) else { return };
+        let look = |(pose, form): &(Transform<f64>, Form)| Look {
+            link: link.clone(),
+            pose: *pose * Transform::translation(-here.origin),
+            form: form.clone(),
+        };
+        self.looks.extend(body.looks.iter().map(look));
+    }
+
     fn link(&mut self, name: &str, inertia: RigidInertia<f64>, at: Spot) -> LinkId {
         self.link_spots.push(at);
         self.link_names.push(name.to_owned());

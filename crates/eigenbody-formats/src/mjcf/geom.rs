@@ -7,12 +7,16 @@ use super::defaults::Styled;
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::mesh::Enclosed;
 use super::orientation::{from_z, rotation};
+use crate::looks::Form;
 use crate::shape::Shape;
 use eigenbody::spatial::{Mat3, Transform, Vec3};
 
 /// Kinds of geom, in MuJoCo's words.
 const TYPES: [&str; 9] =
     ["plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf"];
+
+/// From this group on MuJoCo's viewer does not show geoms at first: collision shapes, as a rule.
+const HIDDEN_GROUP: f64 = 3.0;
 
 /// Volumes up to this count as none.
 const SMALLEST_VOLUME: f64 = 1e-14;
@@ -104,6 +108,37 @@ pub(super) fn read(geom: &Styled<'_>, shapes: &Shapes<'_>) -> Result<Geom, Fault
     Ok(Geom { pose, mass, inertia })
 }
 
+/// How a geom looks, from its parent's frame to the shape's: for those that MuJoCo's viewer shows at first.
+pub(super) fn look(geom: &Styled<'_>, shapes: &Shapes<'_>) -> Option<(Transform<f64>, Form)> {
+    if number(geom.find("group"), "geom").ok()?.unwrap_or(0.0) >= HIDDEN_GROUP {
+        return None;
+    }
+    let kind = TYPES[keyword(geom.find("type"), "geom", &TYPES).ok()?.unwrap_or(2)];
+    let mut size = size(geom).ok()?;
+    let fromto: Option<[f64; 6]> = array(geom.find("fromto"), "geom").ok()?;
+    let pose = match fromto {
+        Some(fromto) => {
+            let (place, half) = between(fromto)?;
+            match kind {
+                "capsule" | "cylinder" => size[1] = half,
+                _ => size = [size[0], size[0], half],
+            }
+            place
+        }
+        None => {
+            let r = Vec3::from_f64(array(geom.find("pos"), "geom").ok()?.unwrap_or_default());
+            Transform::new(rotation(geom.layers(), shapes.settings).ok()?.unwrap_or(Mat3::IDENTITY), r)
+        }
+    };
+    let form = match kind {
+        "mesh" => shapes.assets.look(&geom.find("mesh")?.value, &shapes.folders)?,
+        // A primitive fitted to a mesh, a height field, a plug-in's shape, a plane without end.
+        _ if geom.find("mesh").is_some() || matches!(kind, "hfield" | "sdf" | "plane") => return None,
+        _ => Form::Primitive(shape(kind, size).0),
+    };
+    Some((pose, form))
+}
+
 /// Mass from `mass`, or from `density` and volume.
 fn weigh(geom: &Styled<'_>, volume: f64, unit: [f64; 3]) -> Result<(f64, [f64; 3]), Fault> {
     let density = number(geom.find("density"), "geom")?.unwrap_or(1000.0);
@@ -149,20 +184,25 @@ fn primitive(
     shell: bool,
     geom: &Styled<'_>,
 ) -> Result<(f64, [f64; 3]), Fault> {
+    let (shape, count) = shape(kind, size);
+    if let Some(index) = (0..count).find(|&k| size[k].is_nan() || size[k] <= 0.0 || size[k].is_infinite()) {
+        let (element, value) = (geom.element.described(), size[index]);
+        return Err(fault(geom.element.at, MjcfFault::Size { element, index: index + 1, value, kind }));
+    }
+    Ok((shape.volume(shell), shape.unit_inertia(shell)))
+}
+
+/// A primitive, and how many sizes it has.
+fn shape(kind: &str, size: [f64; 3]) -> (Shape, usize) {
     let [a, b, c] = size;
-    let (shape, count) = match kind {
+    match kind {
         "plane" => (Shape::Plane, 0),
         "capsule" => (Shape::Capsule([a, b]), 2),
         "cylinder" => (Shape::Cylinder([a, b]), 2),
         "ellipsoid" => (Shape::Ellipsoid(size), 3),
         "box" => (Shape::Box([a, b, c]), 3),
         _ => (Shape::Sphere([a]), 1),
-    };
-    if let Some(index) = (0..count).find(|&k| size[k].is_nan() || size[k] <= 0.0 || size[k].is_infinite()) {
-        let (element, value) = (geom.element.described(), size[index]);
-        return Err(fault(geom.element.at, MjcfFault::Size { element, index: index + 1, value, kind }));
     }
-    Ok((shape.volume(shell), shape.unit_inertia(shell)))
 }
 
 /// Moments per unit of mass of a box of these half-edges.

@@ -31,11 +31,12 @@ mod spring;
 mod world;
 
 pub use fault::MjcfFault;
-pub use mesh::MeshFault;
+pub use mesh::{Mesh, MeshFault};
 
 use crate::error::FormatError;
 use crate::file::Shelf;
 use crate::loaded::{Kind, Loaded, Note, Places, Stepping};
+use crate::looks::Look;
 use crate::xml::{Files, Spot};
 use asset::Assets;
 use attribute::{array, keyword};
@@ -107,8 +108,18 @@ pub(crate) fn read_text(
             FormatError::Unsuitable { text: name.clone(), problem }
         }
     })?;
-    let Built { model, springs, stepping, notes, reference, link_spots, joint_spots, joint_names, closures } =
-        built;
+    let Built {
+        model,
+        springs,
+        stepping,
+        notes,
+        reference,
+        link_spots,
+        joint_spots,
+        joint_names,
+        closures,
+        looks,
+    } = built;
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
     let places = Places {
@@ -124,7 +135,7 @@ pub(crate) fn read_text(
     let kind = Kind::File(path.to_owned());
     let loaded = Loaded::new(model, name, kind, places);
     let (notes, stepping) = (notes.collect(), Some(stepping));
-    Ok(Loaded { notes, keyframes, closures, springs, stepping, mimic: false, ..loaded })
+    Ok(Loaded { notes, keyframes, closures, springs, looks, stepping, mimic: false, ..loaded })
 }
 
 /// A fault with its place as text.
@@ -154,6 +165,7 @@ struct Built {
     joint_spots: Vec<Spot>,
     joint_names: Vec<String>,
     closures: Vec<Result<Closure, String>>,
+    looks: Vec<Look>,
 }
 
 fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> Result<Built, Problem> {
@@ -225,6 +237,7 @@ fn finish(
         reference,
         base_armature,
         frames,
+        looks,
         ..
     } = parts;
     let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
@@ -258,7 +271,18 @@ fn finish(
     let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
     let closures = loops.iter().map(close).collect();
     let (springs, stepping) = (Vec::new(), Stepping::default());
-    Ok(Built { model, springs, stepping, notes, reference, link_spots, joint_spots, joint_names, closures })
+    Ok(Built {
+        model,
+        springs,
+        stepping,
+        notes,
+        reference,
+        link_spots,
+        joint_spots,
+        joint_names,
+        closures,
+        looks,
+    })
 }
 
 /// What `<option>` says of gravity, if anything.

@@ -155,6 +155,12 @@ impl<'a> Reader<'a> {
     }
 
     fn geom(&mut self, element: &'a Element, at: Context) -> Result<(), Fault> {
+        // A look that is not understood is passed over; whether the geom is understood is for its mass to say.
+        let styled = self.defaults.styled(element, at.class).ok();
+        if let Some((pose, form)) = styled.and_then(|styled| geom::look(&styled, &self.shapes())) {
+            self.tree.bodies[at.body].looks.push((pose * at.frame, form));
+            self.count_geom(element)?;
+        }
         // The world has no mass, and an <inertial> says all by default: such geoms need not be understood.
         if at.weightless || self.settings.inertiafromgeom == FromGeoms::Never {
             return Ok(());
@@ -167,15 +173,22 @@ impl<'a> Reader<'a> {
         if !geom::counts(&styled, self.settings)? {
             return Ok(());
         }
+        let mut geom = geom::read(&styled, &self.shapes())?;
+        geom.pose = geom.pose * at.frame;
+        self.tree.bodies[at.body].geoms.push(geom);
+        self.count_geom(element)
+    }
+
+    fn shapes(&self) -> Shapes<'a> {
         let folders = Folders {
             files: self.document.files,
             main: self.document.model.folder.clone(),
             settings: self.settings,
         };
-        let shapes = Shapes { assets: self.assets, folders, settings: self.settings };
-        let mut geom = geom::read(&styled, &shapes)?;
-        geom.pose = geom.pose * at.frame;
-        self.tree.bodies[at.body].geoms.push(geom);
+        Shapes { assets: self.assets, folders, settings: self.settings }
+    }
+
+    fn count_geom(&mut self, element: &Element) -> Result<(), Fault> {
         self.geoms += 1;
         match self.geoms > MAX_GEOMS {
             true => Err(fault(element.at, MjcfFault::TooManyGeoms { limit: MAX_GEOMS })),

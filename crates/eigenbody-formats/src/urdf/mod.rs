@@ -8,6 +8,7 @@ mod element;
 mod fault;
 mod joint;
 mod link;
+mod look;
 mod pose;
 mod rotor;
 mod spring;
@@ -99,9 +100,9 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
     }));
     let springs = spring::springs(robot, &model)
         .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
-    let rotors = rotors.into_iter().map(|(rotor, _)| rotor).collect();
+    let (rotors, looks) = (rotors.into_iter().map(|(rotor, _)| rotor).collect(), look::looks(robot));
     let kind = Kind::File(file_name.into());
-    Ok(Loaded { rotors, springs, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
+    Ok(Loaded { rotors, springs, looks, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.

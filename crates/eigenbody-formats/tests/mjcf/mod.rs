@@ -4,6 +4,7 @@ mod cases;
 pub use cases::CASES;
 mod faults;
 mod files;
+mod looks;
 mod loops;
 mod matrices;
 mod names;

@@ -15,7 +15,7 @@ SI units; spatial vectors are [angular; linear]; quaternions w, x, y, z. What ta
 from eigenbody._eigenbody import Model, Parts, SweepPlan, Tracker, __version__, reproduce
 from eigenbody._errors import EigenbodyError, InputError, ModelError, NotPositiveDefiniteError
 from eigenbody._layout import Layout
-from eigenbody._results import Conditioning, Conditionings, Diagnosis, Finding, Mode, WorstCase
+from eigenbody._results import Conditioning, Conditionings, Diagnosis, Finding, Mode, Motion, WorstCase
 from eigenbody._sweep import sweep
 
 __all__ = [
@@ -29,6 +29,7 @@ __all__ = [
     "Mode",
     "Model",
     "ModelError",
+    "Motion",
     "NotPositiveDefiniteError",
     "Parts",
     "SweepPlan",

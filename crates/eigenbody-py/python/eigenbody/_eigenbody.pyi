@@ -8,9 +8,9 @@ from typing import Any, Literal, TypeAlias, final, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from eigenbody._results import Conditioning, Conditionings, Diagnosis, WorstCase
+from eigenbody._results import Conditioning, Conditionings, Diagnosis, Motion, WorstCase
 
-__all__ = ["Model", "Parts", "SweepPlan", "Tracker", "__version__", "reproduce"]
+__all__ = ["Examination", "Model", "Parts", "SweepPlan", "Tracker", "__version__", "reproduce"]
 __version__: str
 
 _Floats: TypeAlias = NDArray[np.float64]
@@ -20,6 +20,10 @@ _Base: TypeAlias = Literal["fixed", "floating"]
 _Path: TypeAlias = str | os.PathLike[str]
 _Method: TypeAlias = Literal["auto", "dense", "sturm"]
 _Precision: TypeAlias = Literal["auto", "f64", "dd"]
+# A number for every joint, a text as the command line takes it, numbers by joint, or one a degree of freedom.
+_Gains: TypeAlias = float | str | dict[str, float] | ArrayLike
+# A file as the command line takes it, or times (k,) and rows (k, n).
+_Table: TypeAlias = _Path | tuple[ArrayLike, ArrayLike]
 
 @final
 class Parts:
@@ -182,8 +186,8 @@ class Model:
     def with_gravity(self, gravity: Sequence[float], /) -> Model:
         """The same with other gravity, (3,), m/s²."""
 
-    def to_urdf(self) -> str:
-        """As URDF, fixed joints merged."""
+    def to_urdf(self, *, rotors: bool = False) -> str:
+        """As URDF, fixed joints merged; `rotors`: armature as rotors of transmissions, which `Model(.., rotors=True)` reads."""
 
     def to_mjcf(self) -> str:
         """As MJCF, fixed joints merged."""
@@ -195,13 +199,13 @@ class Model:
         """`mass_matrix`."""
 
     def inverse_dynamics(self, q: ArrayLike, v: ArrayLike, a: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
-        """τ = H a + C: (nv,) or (k, nv); by recursive Newton-Euler."""
+        """τ = H a + C: (nv,) or (k, nv); by recursive Newton-Euler. Where mimic joints follow, of the independent ones: Gᵀ (H G a + C)."""
 
     def rnea(self, q: ArrayLike, v: ArrayLike, a: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
         """`inverse_dynamics`."""
 
     def forward_dynamics(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
-        """a = H⁻¹ (τ − C): (nv,) or (k, nv); by articulated bodies."""
+        """a = H⁻¹ (τ − C): (nv,) or (k, nv); by articulated bodies. Where mimic joints follow, (GᵀHG)⁻¹ (τ − GᵀC), by Cholesky."""
 
     def aba(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, /, *, out: _Numbers | None = None) -> _Numbers:
         """`forward_dynamics`."""
@@ -215,8 +219,18 @@ class Model:
     def spectrum(self, q: ArrayLike, /, *, metric: str = "euclidean", out: _Floats | None = None) -> _Floats:
         """All eigenvalues of H x = λ B x, ascending: (n,) or (k, n)."""
 
-    def extremes(self, q: ArrayLike, /, *, metric: str = "euclidean", out: _Floats | None = None) -> _Floats:
-        """λmin and λmax: (2,) or (k, 2); NaN where λmin cannot be told from zero."""
+    def extremes(self, q: ArrayLike, /, *, metric: str = "euclidean", accuracy: float = 1e-8, out: _Floats | None = None) -> _Floats:
+        """λmin and λmax: (2,) or (k, 2); NaN where λmin cannot be told from zero.
+
+        Rows of a batch are computed side by side, λmin to a relative `accuracy`; 0 computes each as if it were alone, digit for
+        digit, at several times the cost.
+        """
+
+    @overload
+    def kappa(self, q: ArrayLike, /, *, metric: str = "euclidean", accuracy: float = 1e-8, out: _Floats) -> _Floats: ...
+    @overload
+    def kappa(self, q: ArrayLike, /, *, metric: str = "euclidean", accuracy: float = 1e-8, out: None = None) -> Any:
+        """κ: a number, or (k,); with ``metric="unit-diagonal"`` κ′. NaN where λmin cannot be told from zero. `accuracy`: see `extremes`."""
 
     @overload
     def conditioning(
@@ -251,13 +265,70 @@ class Model:
         max_kappa_weighted: float | None = None,
         max_kappa: float | None = None,
         f32_digits: float | None = None,
+        kp: _Gains | None = None,
+        kd: _Gains | None = None,
+        step: float | None = None,
+        integrator: Literal["semi-implicit", "damped", "implicit", "rk4"] | None = None,
+        want_kappa: float | None = None,
+        want_lambda_min: float | None = None,
+        want_step: float | None = None,
+        baseline: Diagnosis | dict[str, Any] | _Path | None = None,
     ) -> Diagnosis:
-        """What is wrong over all that the joints allow: as `eigenbody check`."""
+        """What is wrong over all that the joints allow: as `eigenbody check`, whose options these are; `step` is its `--dt`.
+
+        `kp`, `kd`: gains in place of those of the file's actuators. One of the `want_` options asks for advice: the least armature
+        with which κ is at most, λmin at least, or a step stable everywhere. `baseline`: an earlier `Diagnosis`, or its JSON.
+        """
+
+    def simulate(
+        self,
+        time: float = 10.0,
+        *,
+        rate: float = 100.0,
+        q: str | ArrayLike | None = None,
+        v: str | ArrayLike | None = None,
+        method: Literal["euler", "rk4", "dopri5", "midpoint"] = ...,
+        step: float = 1e-3,
+        tolerance: float = 1e-9,
+        dynamics: Literal["aba", "crba"] = ...,
+        gravity: bool = True,
+        springs: bool = True,
+        damping: _Gains | None = None,
+        stiffness: _Gains | None = None,
+        rest: str | ArrayLike | None = None,
+        hold: str | ArrayLike | None = None,
+        follow: _Table | None = None,
+        bandwidth: float = 2.0,
+        damping_ratio: float = 1.0,
+        kp: _Gains | None = None,
+        kd: _Gains | None = None,
+        torque: _Table | None = None,
+        monitors: Sequence[str] = ...,
+        events: Sequence[str] = ...,
+    ) -> Motion:
+        """Moves for `time` seconds from (q, v) and gives `rate` rows a second: as `eigenbody simulate`, whose options these are.
+
+        `method`: "dopri5" (if left out) takes steps by its `tolerance`, the others fixed ones of `step` seconds. `springs`: those of
+        the file; `damping` and `stiffness` add more, slack at `rest`. A controller pulls to the posture `hold` or along `follow`,
+        with gains for `bandwidth` (Hz) and `damping_ratio`, or `kp` and `kd`. `torque`: forces over time. `monitors`: kappa,
+        kappa_weighted (these if left out), lambda_min, lambda_max, modes, diagonal_ratio, scaled_diagonal_ratio, pivot_ratio,
+        bracket, eigenvalues, energy, momentum. `events`: crossings to report, as "kappa=1e5". Ctrl-C is heard.
+        """
 
     def worst_case(self, *, metric: str = "euclidean", samples: int = 2048, seed: int = 1) -> dict[str, WorstCase]:
         """The worst configuration by `kappa`, `kappa_weighted` and `lambda_min`."""
 
     def _repr_html_(self) -> str: ...
+
+@final
+class Examination:
+    """What a `Diagnosis` was made from."""
+
+    def to_json(self) -> str: ...
+    def to_sarif(self) -> str: ...
+    def to_text(self) -> str: ...
+    def to_html(self) -> str: ...
+    def mended(self, change: str = "armature", /) -> Model: ...
 
 @final
 class Tracker:
@@ -277,9 +348,12 @@ class Tracker:
 
 @final
 class SweepPlan:
-    """The numbered cases of a sweep's text (TOML), in chunks that may be computed anywhere and in any order."""
+    """The numbered cases of a sweep's text (TOML), in chunks that may be computed anywhere and in any order.
 
-    def __new__(cls, text: str, /) -> SweepPlan: ...
+    Paths in the text are seen from `folder`, or from the current one.
+    """
+
+    def __new__(cls, text: str, /, folder: _Path = ...) -> SweepPlan: ...
     @property
     def cases(self) -> int:
         """Number of rows."""

@@ -5,13 +5,15 @@ from __future__ import annotations
 import html
 import json
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from eigenbody._errors import InputError
+
 if TYPE_CHECKING:
-    from eigenbody._eigenbody import Model
+    from eigenbody._eigenbody import Examination, Model
 
 Floats = NDArray[np.float64]
 
@@ -222,9 +224,14 @@ class Diagnosis:
     findings: tuple[Finding, ...]
     model_findings: tuple[str, ...]
     _dict: dict[str, Any] = field(repr=False, compare=False)
+    _examination: Examination | None = field(default=None, repr=False, compare=False)
 
     @classmethod
-    def _of_json(cls, text: str) -> Diagnosis:
+    def _of(cls, examination: Examination) -> Diagnosis:
+        return cls._of_json(examination.to_json(), examination)
+
+    @classmethod
+    def _of_json(cls, text: str, examination: Examination | None = None) -> Diagnosis:
         found = json.loads(text)
         findings = tuple(
             Finding(
@@ -239,7 +246,10 @@ class Diagnosis:
             )
             for one in found["findings"]
         )
-        return cls(findings, tuple(found["model_findings"]), found)
+        return cls(findings, tuple(found["model_findings"]), found, examination)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Diagnosis._of_json, (json.dumps(self._dict),)
 
     def __bool__(self) -> bool:
         """True if nothing worse than a note was found."""
@@ -248,6 +258,42 @@ class Diagnosis:
     def to_dict(self) -> dict[str, Any]:
         """What `eigenbody check --format json` prints."""
         return json.loads(json.dumps(self._dict))  # type: ignore[no-any-return]
+
+    def to_html(self) -> str:
+        """What `eigenbody report` writes: one page that needs nothing else."""
+        return self._examined().to_html()
+
+    def to_sarif(self) -> str:
+        """What `eigenbody check --format sarif` prints, for code hosts."""
+        return self._examined().to_sarif()
+
+    def to_text(self) -> str:
+        """What `eigenbody check` prints for people."""
+        return self._examined().to_text()
+
+    def mended(self, change: Literal["armature", "link", "limit"] = "armature", /) -> Model:
+        """The robot with what was advised for a `want_` option: `mended().to_mjcf()` is a patched file."""
+        return self._examined().mended(change)
+
+    def _examined(self) -> Examination:
+        if self._examination is None:
+            raise InputError("a Diagnosis that was pickled has numbers only: call check again", what="diagnosis")
+        return self._examination
+
+    @property
+    def advice(self) -> dict[str, Any] | None:
+        """What to add, where something was wanted: `measure`, `wanted`, `reached`, `added` joint by joint, `links`, `limits`."""
+        return self.to_dict().get("advice")
+
+    @property
+    def stepping(self) -> dict[str, Any] | None:
+        """Stable steps and gains, where the robot has springs, gains or a step."""
+        return self.to_dict()["stepping"]  # type: ignore[no-any-return]
+
+    @property
+    def comparison(self) -> dict[str, Any] | None:
+        """What is new, worse and gone, where there was a baseline."""
+        return self.to_dict().get("comparison")
 
     def worst(self, measure: str = "kappa_weighted") -> dict[str, Any]:
         """The worst by `kappa`, `kappa_weighted` or `lambda_min`."""
@@ -260,7 +306,13 @@ class Diagnosis:
         names = {"kappa": "κ", "kappa_weighted": "κ′", "lambda_min": "λmin"}
         rows = [(f"worst {names.get(one['measure'], one['measure'])}", _number(one["worst"])) for one in self._dict["worst"]]
         rows += [(finding.severity, finding.message) for finding in self.findings]
-        return rows if self.findings else [*rows, ("findings", "none")]
+        if not self.findings:
+            rows.append(("findings", "none"))
+        advice = self.advice
+        if advice is not None:
+            added = [f"{one['joint']} +{one['added']:.4g}" for one in advice["added"] if one["added"] > 0]
+            rows.append(("armature", ", ".join(added) or ("nothing to add" if advice["added"] else "none does what is wanted")))
+        return rows
 
     def _title(self) -> str:
         return f"{self._dict['model']}: {self._dict['dofs']} DoFs, {self._dict['evaluations']} configurations"
@@ -270,6 +322,78 @@ class Diagnosis:
 
     def _repr_html_(self) -> str:
         return _html(self._title(), self._rows())
+
+
+@dataclass(frozen=True, repr=False)
+class Motion:
+    """A motion, row by row, with what was watched along it: what `eigenbody simulate` writes.
+
+    `t` (k,), `q` (k, nq) and `v` (k, nv); `monitors` one array a column, (k,) or (k, n), NaN where there is nothing, and their
+    `units`; `events` as (t, what). `note` says why a motion ended before its time: it blew up, or its steps did not get on.
+    """
+
+    name: str
+    t: Floats
+    q: Floats
+    v: Floats
+    monitors: dict[str, Floats]
+    units: dict[str, str]
+    events: list[tuple[float, str]]
+    note: str | None
+    method: str
+    steps: int
+    refused: int
+    evaluations: int
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __getitem__(self, name: str) -> Floats:
+        """A column of a monitor."""
+        return self.monitors[name]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Arrays by the names of `eigenbody simulate`'s columns: `t`, `q0`, `q1`, .., `v0`, .., then the monitors."""
+        columns: dict[str, Any] = {"t": self.t}
+        columns |= {f"q{k}": self.q[:, k] for k in range(self.q.shape[1])}
+        columns |= {f"v{k}": self.v[:, k] for k in range(self.v.shape[1])}
+        return columns | self.monitors
+
+    def _rows(self) -> list[tuple[str, str]]:
+        def row(name: str, x: Floats) -> tuple[str, str]:
+            finite = x[np.isfinite(x)]
+            unit = self.units[name] if self.units[name] != "1" else ""
+            return name, f"{finite.min():.6g} … {finite.max():.6g} {unit}".rstrip() if finite.size else "–"
+
+        rows = [("method", f"{self.method}: {self.steps} steps, {self.refused} refused, {self.evaluations} accelerations")]
+        rows += [row(name, x) for name, x in self.monitors.items() if x.ndim == 1]
+        rows += [("events", str(len(self.events)))] if self.events else []
+        return rows + ([("ended early", self.note)] if self.note else [])
+
+    def _title(self) -> str:
+        return f"{self.name}: {len(self)} rows, {self.t[-1] if len(self) else 0:.6g} s"
+
+    def __repr__(self) -> str:
+        return _text(self._title(), self._rows())
+
+    def _repr_html_(self) -> str:
+        return _html(self._title(), self._rows())
+
+    def plot(self, *names: str, ax: Any = None) -> Any:
+        """Monitors over time on `ax`, all or those named; returns the axes. Energies stand on an even axis, all else on a logarithmic one."""
+        ax = _axes(ax)
+        chosen = names or [name for name, x in self.monitors.items() if x.ndim == 1]
+        lines = zip(chosen, [BLUE, ORANGE, "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"] * len(chosen), ["-", "--", "-.", ":"] * len(chosen))
+        for name, colour, line in lines:
+            ax.plot(self.t, self.monitors[name], color=colour, linestyle=line, label=name)
+        units = sorted({self.units[name] for name in chosen} - {"1"})
+        if "J" not in units:
+            ax.set_yscale("log")
+        ax.set_ylabel(", ".join(units))
+        ax.set_xlabel("time (s)")
+        ax.set_title(self.name)
+        ax.legend()
+        return ax
 
 
 def model_html(model: Model) -> str:

@@ -15,16 +15,16 @@ from eigenbody._eigenbody import SweepPlan
 AHEAD = 64
 
 
-def _read(text: str) -> SweepPlan:
-    return SweepPlan(text)
+def _read(text: str, folder: str) -> SweepPlan:
+    return SweepPlan(text, folder)
 
 
 _plan = lru_cache(maxsize=4)(_read)
 
 
-def _compute(text: str, number: int) -> bytes:
-    """What a worker does: its result depends on its arguments alone."""
-    return _plan(text).compute(number)
+def _compute(text: str, folder: str, number: int) -> bytes:
+    """What a worker does: its result depends on its arguments and the robots' files alone."""
+    return _plan(text, folder).compute(number)
 
 
 def sweep(
@@ -36,24 +36,25 @@ def sweep(
 ) -> Path:
     """Computes a sweep and returns the path of its Parquet table.
 
-    `spec` is a TOML file, or its text; `output` a folder, taken up where an earlier run left it. `executor` is any
-    `concurrent.futures.Executor`: `ProcessPoolExecutor`, Dask's `Client.get_executor()`, mpi4py's `MPIPoolExecutor`; without one,
-    chunks are computed here one by one. Workers send rows back and write nothing, so that they need no common file system, but
-    robots' files must be where the spec says on every one of them. `progress(done, all)` is called after every chunk.
+    `spec` is a TOML file, or its text; paths in it are seen from the file's folder, or from the current one. `output` is a folder,
+    taken up where an earlier run left it. `executor` is any `concurrent.futures.Executor`: `ProcessPoolExecutor`, Dask's
+    `Client.get_executor()`, mpi4py's `MPIPoolExecutor`; without one, chunks are computed here one by one. Workers send rows back
+    and write nothing, so that they need no common file system, but robots' files must be in the same places on every one of
+    them. `progress(done, all)` is called after every chunk.
 
     The rows do not depend on who computes them. A worker that dies is the executor's business: Dask starts its chunks
     elsewhere; a broken process pool raises, and the next call goes on with what is there.
     """
     path = Path(spec) if "\n" not in str(spec) else None
     text = path.read_text(encoding="utf-8") if path is not None else str(spec)
-    plan = _plan(text)
-    folder = Path(output)
-    missing = plan.missing(folder)
+    folder = str(path.resolve().parent if path is not None else Path.cwd())
+    plan = _plan(text, folder)
+    missing = plan.missing(output)
     done = plan.chunks - len(missing)
 
     def keep(number: int, rows: bytes) -> None:
         nonlocal done
-        plan.keep(folder, number, rows)
+        plan.keep(output, number, rows)
         done += 1
         if progress is not None:
             progress(done, plan.chunks)
@@ -61,14 +62,14 @@ def sweep(
     if executor is None:
         for number in missing:
             keep(number, plan.compute(number))
-        return Path(plan.merge(folder))
+        return Path(plan.merge(output))
 
     waiting: dict[Future[bytes], int] = {}
     queue = iter(missing)
     try:
         while True:
             for number in queue:
-                waiting[executor.submit(_compute, text, number)] = number
+                waiting[executor.submit(_compute, text, folder, number)] = number
                 if len(waiting) >= AHEAD:
                     break
             if not waiting:
@@ -79,4 +80,4 @@ def sweep(
     finally:
         for future in waiting:
             future.cancel()
-    return Path(plan.merge(folder))
+    return Path(plan.merge(output))

@@ -259,7 +259,7 @@ impl From<&Worst> for WorstReport {
             );
         }
         Self {
-            measure: name(spread.measure),
+            measure: measure_name(spread.measure),
             worst: finite(spread.worst),
             median: finite(spread.median),
             tenth: finite(spread.tenth),
@@ -271,7 +271,8 @@ impl From<&Worst> for WorstReport {
     }
 }
 
-fn name(measure: Measure) -> &'static str {
+/// What a measure is called.
+pub(crate) fn measure_name(measure: Measure) -> &'static str {
     match measure {
         Measure::Kappa => "kappa",
         Measure::KappaWeighted => "kappa_weighted",
@@ -320,7 +321,7 @@ impl DiagnosisReport {
         }
     }
 
-    /// What a diagnosis says about a model as it was read, located in its file if it has one.
+    /// What a diagnosis says about the robot of a text, with the places of joints in its file.
     pub fn of(model: &str, loaded: &Loaded, found: &Diagnosis) -> Self {
         let Kind::File(path) = &loaded.kind else { return Self::new(model, found, Vec::new()) };
         let place = |(file, at): (&str, Location)| PlaceReport {
@@ -332,10 +333,9 @@ impl DiagnosisReport {
             let at = remark.place.as_ref().map(|(file, at)| place((file, *at)));
             RemarkReport::new(remark.code, remark.subject, remark.text, at)
         });
-        let place_of = |dof: &str| loaded.place_of_dof(dof).map(place);
         Self::new(model, found, loaded.findings()).located(
             Some(path.display().to_string()),
-            place_of,
+            |dof| loaded.place_of_dof(dof).map(place),
             remarks.collect(),
         )
     }

@@ -4,12 +4,17 @@
 //! more. Every number that `check --format json` prints as a result stands in a `<data>` element whose `value` is exact. The
 //! same robot, options and seed give the same bytes.
 
+mod coordinates;
 mod html;
 mod numbers;
 mod pictures;
 mod prose;
 
-use crate::diagnosis::DiagnosisReport;
+use crate::diagnosis::{DiagnosisReport, measure_name};
+use crate::number::significant;
+use eigenbody::Model;
+use eigenbody::search::Measure;
+use eigenbody_study::diagnosis::{Diagnosis, Question};
 use eigenbody_study::portrait::Portrait;
 use html::Html;
 
@@ -61,6 +66,37 @@ fn heading(worst: &WorstPicture) -> String {
 }
 
 impl Page {
+    /// The page of a robot that was examined: its report, the worst configurations, and what `settings` were read from a file.
+    pub fn new(
+        report: DiagnosisReport,
+        model: &Model<f64>,
+        question: &Question,
+        found: &Diagnosis,
+        worst: Vec<(Vec<Measure>, Portrait)>,
+        settings: Option<String>,
+    ) -> Self {
+        let picture = |(measures, portrait): (Vec<Measure>, Portrait)| WorstPicture {
+            measures: measures.into_iter().map(measure_name).collect(),
+            portrait,
+        };
+        Self {
+            report,
+            robot: model.name().to_owned(),
+            base: match (model.has_floating_base(), question.reduction.base) {
+                (false, _) => "fixed",
+                (true, false) => "floating",
+                (true, true) => "free-floating",
+            }
+            .to_owned(),
+            mass: model.bodies().iter().map(|body| body.inertia().m).sum(),
+            bodies: model.bodies().len(),
+            coordinates: coordinates::coordinates(model),
+            unit: found.unit,
+            worst: worst.into_iter().map(picture).collect(),
+            method: method(question, settings, found),
+        }
+    }
+
     /// The page.
     pub fn to_html(&self) -> String {
         let title = format!("{}: conditioning", self.report.model);
@@ -93,4 +129,21 @@ impl Page {
             page.into_string()
         )
     }
+}
+
+fn method(question: &Question, settings: Option<String>, found: &Diagnosis) -> Vec<(String, String)> {
+    let Question { reduction, metric, effort, limits, .. } = question;
+    let rows = [
+        ("eigenbody", env!("CARGO_PKG_VERSION").to_owned()),
+        ("samples", effort.samples.to_string()),
+        ("seed", effort.seed.to_string()),
+        ("configurations evaluated", found.evaluations.to_string()),
+        ("metric of κ and λmin", metric.to_string()),
+        ("mimic joints", if reduction.mimic { "follow" } else { "move freely" }.to_owned()),
+        ("a finding if κ′ exceeds", significant(limits.kappa_weighted, 3)),
+        ("a finding if κ exceeds", significant(limits.kappa, 3)),
+        ("digits that single precision must keep", significant(limits.f32_digits, 3)),
+        ("settings", settings.unwrap_or_else(|| "none".to_owned())),
+    ];
+    rows.map(|(what, how)| (what.to_owned(), how)).into()
 }

@@ -13,19 +13,23 @@
 mod advise;
 mod blame;
 mod digits;
+mod drive;
 mod finding;
 mod rest;
 mod sensitivity;
 mod stepping;
 
-pub use advise::{Added, Advice, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies};
+pub use advise::{
+    Added, Advice, Change, Goal, LimitAdvice, LinkAdvice, Remedies, Wish, least_armature, remedies,
+};
 pub(crate) use blame::softest;
 pub use blame::{Blame, Mechanism, Part, Soft};
 pub use digits::{Digits, Loss};
+pub use drive::Drive;
 pub use finding::{Finding, Limits, Severity, Use};
 pub use rest::NullMotion;
 pub use sensitivity::{Parameter, Sensitivity};
-pub use stepping::{Drive, JointGains, ModeGains, Stepping, WorstStep};
+pub use stepping::{JointGains, ModeGains, Stepping, WorstStep};
 
 use crate::StudyError;
 use eigenbody::search::{Effort, Evaluator, Measure, Spread, Survey, Values, survey};

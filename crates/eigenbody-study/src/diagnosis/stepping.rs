@@ -9,14 +9,13 @@
 //! c = 4, d = 2 for Euler's methods, 8 and 2.785 for Runge-Kutta 4; kd is without bound where damping is implicit. Runge-Kutta's own
 //! worst is looked for among the worst of the others.
 
-use super::{Part, Worst};
+use super::{Drive, Part, Worst};
 use crate::StudyError;
 use eigenbody::dynamics::kinetic_energy_gradient;
 use eigenbody::factor::Cholesky;
 use eigenbody::search::{Domain, Effort, Evaluator, Landscape, Measure, Point, descend, sample_points};
-use eigenbody::stability::{Impedance, Integrator, REAL_LIMIT, Spring, StepLimit, is_stable, largest_step};
+use eigenbody::stability::{Impedance, Integrator, REAL_LIMIT, StepLimit, is_stable, largest_step};
 use eigenbody::{Error, Matrix, Metric, Model, Reduction};
-use eigenbody_formats::Loaded;
 use rayon::prelude::*;
 
 /// Configurations sampled at most.
@@ -28,34 +27,6 @@ const STARTS: usize = 3;
 const LOOKS: usize = 40;
 /// Configurations at which Runge-Kutta's limit is computed.
 const CANDIDATES: usize = 8;
-
-/// How a robot is driven and simulated.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Drive {
-    /// Springs, dampers and feedback.
-    pub springs: Vec<Spring>,
-    /// The step of simulation or control (s), if it is known.
-    pub step: Option<f64>,
-    /// How a step is made.
-    pub integrator: Integrator,
-}
-
-impl Default for Drive {
-    fn default() -> Self {
-        Self { springs: Vec::new(), step: None, integrator: Integrator::SemiImplicitEuler }
-    }
-}
-
-impl From<&Loaded> for Drive {
-    /// As its file says.
-    fn from(loaded: &Loaded) -> Self {
-        Self {
-            springs: loaded.springs.clone(),
-            step: loaded.stepping.map(|stepping| stepping.step),
-            integrator: loaded.stepping.map_or(Integrator::SemiImplicitEuler, |stepping| stepping.integrator),
-        }
-    }
-}
 
 /// What steps and gains are stable.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,9 +3,9 @@
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into, mass_matrix_into,
 };
-use eigenbody::factor::{Cholesky, Ltl};
+use eigenbody::factor::{CoupledWorkspace, Ltl, coupled_forward_dynamics_into};
 use eigenbody::model::Coupling;
-use eigenbody::{Error, Matrix, Model};
+use eigenbody::{Error, Matrix, Model, Reduction};
 
 /// How accelerations are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,16 +15,23 @@ pub enum Algorithm {
     Aba,
     /// H by composite rigid bodies, the bias force by RNEA, and the branch-sparse LᵀL factorisation.
     CrbaLtl,
-    /// Mimic joints follow: v̇ = G (GᵀHG)⁻¹ Gᵀ (τ − C), by Cholesky.
+    /// Mimic joints follow: v̇ = G (GᵀHG)⁻¹ Gᵀ (τ − C), with v = G ṗ of the independent joints' rates.
     Coupled,
+}
+
+impl Algorithm {
+    /// This one, or the one that mimic joints need where they follow.
+    pub fn of(self, model: &Model<f64>, reduction: Reduction) -> Self {
+        if reduction.mimic && model.coupling().is_some() { Self::Coupled } else { self }
+    }
 }
 
 /// An algorithm with its room.
 #[derive(Debug)]
 pub(super) enum Accelerator<'m> {
     Aba { model: &'m Model<f64>, room: Box<AbaWorkspace<f64>> },
-    Crba { matrix: Bias<'m>, ltl: Ltl<'m, f64> },
-    Coupled { matrix: Bias<'m>, coupling: &'m Coupling<f64>, cholesky: Cholesky<f64> },
+    Crba { matrix: Box<Bias<'m>>, ltl: Ltl<'m, f64> },
+    Coupled { model: &'m Model<f64>, coupling: &'m Coupling<f64>, room: Box<CoupledWorkspace<f64>> },
 }
 
 /// H and C.
@@ -60,10 +67,12 @@ impl<'m> Accelerator<'m> {
             (Algorithm::Aba, _) | (Algorithm::Coupled, None) => {
                 Self::Aba { model, room: Box::new(AbaWorkspace::new(model)) }
             }
-            (Algorithm::CrbaLtl, _) => Self::Crba { matrix: Bias::new(model)?, ltl: Ltl::new(model.dofs()) },
+            (Algorithm::CrbaLtl, _) => {
+                Self::Crba { matrix: Box::new(Bias::new(model)?), ltl: Ltl::new(model.dofs()) }
+            }
             (Algorithm::Coupled, Some(coupling)) => {
-                let cholesky = Cholesky::new(coupling.nv());
-                Self::Coupled { matrix: Bias::new(model)?, coupling, cholesky }
+                let room = Box::new(CoupledWorkspace::new(model, coupling)?);
+                Self::Coupled { model, coupling, room }
             }
         })
     }
@@ -77,12 +86,19 @@ impl<'m> Accelerator<'m> {
                 ltl.factor(&matrix.H)?;
                 ltl.solve(vdot)
             }
-            Self::Coupled { matrix, coupling, cholesky } => {
-                matrix.update(q, v, tau, vdot)?;
-                let mut x = coupling.pull_back(vdot);
-                cholesky.factor(&coupling.reduce(&matrix.H))?;
-                cholesky.solve(&mut x)?;
-                vdot.copy_from_slice(&coupling.push_forward(&x));
+            Self::Coupled { model, coupling, room } => {
+                let rate: Vec<f64> = coupling.independent_dofs().iter().map(|&d| v[d]).collect();
+                let mut x = vec![0.0; coupling.nv()];
+                coupled_forward_dynamics_into(
+                    model,
+                    coupling,
+                    q,
+                    &rate,
+                    &coupling.pull_back(tau),
+                    room,
+                    &mut x,
+                )?;
+                coupling.push_forward_into(&x, vdot);
                 Ok(())
             }
         }

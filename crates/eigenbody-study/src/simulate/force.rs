@@ -63,6 +63,31 @@ pub fn joint_springs(model: &Model<f64>, stiffness: f64, damping: f64) -> Vec<Sp
     (base..model.nv()).map(spring).collect()
 }
 
+/// Springs and dampers that a robot's file has of its own, and more on single degrees of freedom, none where a list is empty.
+///
+/// The feedback of actuators among them is left out: that is a [`Controller`]'s.
+pub fn passive_springs(
+    model: &Model<f64>,
+    own: &[Spring],
+    damping: &[Option<f64>],
+    stiffness: &[Option<f64>],
+) -> Vec<Spring> {
+    let mut springs: Vec<Spring> =
+        own.iter().filter(|spring| spring.source != SpringSource::Actuator).cloned().collect();
+    let mut add = |gains: &[Option<f64>], part: fn(&mut Spring) -> &mut f64| {
+        for (d, gain) in gains.iter().enumerate().filter_map(|(d, gain)| Some((d, (*gain)?))) {
+            let (name, arms, source) = (model.dof_name(d), vec![(d, 1.0)], SpringSource::Joint);
+            let mut spring = Spring { name, source, arms, stiffness: 0.0, damping: 0.0 };
+            *part(&mut spring) = gain;
+            springs.push(spring);
+        }
+    };
+    add(damping, |spring| &mut spring.damping);
+    add(stiffness, |spring| &mut spring.stiffness);
+    springs.retain(|spring| spring.stiffness != 0.0 || spring.damping != 0.0);
+    springs
+}
+
 /// Forces with room to evaluate them.
 #[derive(Debug, Clone)]
 pub(super) struct Acting {

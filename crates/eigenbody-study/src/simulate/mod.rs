@@ -20,6 +20,7 @@ mod event;
 mod explicit;
 mod flow;
 mod force;
+mod level;
 mod midpoint;
 mod tableau;
 mod trajectory;
@@ -27,7 +28,8 @@ mod trajectory;
 pub use acceleration::Algorithm;
 pub use error::SimulationError;
 pub use event::{Event, Watch, joint_limits};
-pub use force::{Controller, Forces, joint_springs};
+pub use force::{Controller, Forces, joint_springs, passive_springs};
+pub use level::{LevelError, level};
 pub use tableau::{DORMAND_PRINCE, RK4, Tableau};
 pub use trajectory::Trajectory;
 

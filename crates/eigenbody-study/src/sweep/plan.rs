@@ -1,10 +1,11 @@
 //! A sweep's cases by number, and the rows of a chunk of them.
 
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 use eigenbody::model::Random;
 use eigenbody::{Base, Error, Metric, Model, Question, Reduction, conditioning_at};
-use eigenbody_formats::{FormatError, LoadOptions, Loaded, load};
+use eigenbody_formats::{FormatError, LoadOptions, Loaded, load_from};
 use thiserror::Error;
 
 use super::Quantity;
@@ -71,6 +72,8 @@ pub struct Chunk {
 #[derive(Debug, Clone)]
 pub struct Plan {
     spec: Spec,
+    /// Where the spec's paths begin.
+    folder: PathBuf,
     /// The first case of each group, and the end.
     starts: Vec<u64>,
     /// Cases of a chunk.
@@ -126,10 +129,11 @@ fn hash(model: &Model<f64>) -> u64 {
 }
 
 impl Plan {
-    /// Numbers the cases of a spec. Cost: that of the spec's text.
+    /// Numbers the cases of a spec whose paths are seen from `folder`, the spec's own; empty for the current one. Rows do not depend on
+    /// where that is.
     ///
-    /// Errors: [`SweepError`] if its first robot cannot be read, which sizes the chunks.
-    pub fn new(spec: Spec) -> Result<Self, SweepError> {
+    /// Errors: [`SweepError`] if a robot that a chunk's size depends on cannot be read.
+    pub fn new(spec: Spec, folder: &Path) -> Result<Self, SweepError> {
         let mut starts = vec![0];
         for group in &spec.groups {
             let last = starts[starts.len() - 1];
@@ -137,7 +141,8 @@ impl Plan {
         }
         let metric = eigenbody_formats::metric(&spec.metric)
             .map_err(|source| SweepError::Format { case: 0, source: Box::new(source) })?;
-        let mut plan = Self { spec, starts, size: 1, unit: "kg m^2", metric, models: Vec::new() };
+        let folder = folder.to_owned();
+        let mut plan = Self { spec, folder, starts, size: 1, unit: "kg m^2", metric, models: Vec::new() };
         let mut dearest: f64 = 1.0;
         let mut is_mixed = false;
         for group in 0..plan.spec.groups.len() {
@@ -238,7 +243,7 @@ impl Plan {
 
     fn load(&self, case: &Case) -> Result<Loaded, SweepError> {
         let base = if case.floating { Base::Floating } else { Base::Fixed };
-        load(&case.model, &LoadOptions { base, size_ratio: None })
+        load_from(&self.folder, &case.model, &LoadOptions { base, size_ratio: None })
             .map_err(|source| SweepError::Format { case: case.number, source: Box::new(source) })
     }
 

@@ -4,6 +4,7 @@ use super::{SECOND, chain, run};
 use eigenbody::dynamics::{energy, momentum};
 use eigenbody::spatial::Vec3;
 use eigenbody::{Family, Model};
+use eigenbody_study::motion::cost::{RELEASES, long_run};
 use eigenbody_study::simulate::{DORMAND_PRINCE, Method, Schedule, State, Steps, simulate};
 
 /// Largest change of the total energy against the largest kinetic energy.
@@ -43,6 +44,17 @@ fn the_midpoint_rule_keeps_the_energy_bounded() {
     };
     let (short, long) = (span(20.0), span(1000.0));
     assert!(long < 2.0 * short && long < 1e-3, "{short:e} in 20 s, {long:e} in 1000 s");
+}
+
+/// Ten links that swing: no tenth of the time has more error than twice the first one, peaks or mean.
+#[test]
+fn the_midpoint_rule_keeps_the_energy_of_ten_links_bounded() {
+    let found = long_run(RELEASES[0], 60.0, 4e-3).unwrap();
+    let [peak, _] = found.tenths[0];
+    for tenth in &found.tenths {
+        assert!(tenth[0] < 2.0 * peak && tenth[1].abs() < 0.5 * peak, "{:?}", found.tenths);
+    }
+    assert!(peak < 1e-5 && found.fastest > 1.0, "{peak:e}");
 }
 
 fn adrift() -> (Model<f64>, Vec<f64>, Vec<f64>) {

@@ -45,7 +45,7 @@ fn examined(robot: &Robot, request: &Request) -> Result<DiagnosisReport, Refusal
     }
     let effort = Effort { samples, seed: request.seed.unwrap_or(default.seed), ..default };
     let metric = super::evaluate::metric(request.metric.as_deref())?;
-    let drive = Drive::from(&robot.loaded);
+    let drive = Drive::of(&robot.loaded);
     let question = Question { reduction: robot.reduction, metric, effort, drive, ..Question::default() };
     let found = diagnose(robot.model(), &question, |_| ())?;
     Ok(DiagnosisReport::of(&robot.loaded.name, &robot.loaded, &found))

@@ -3,16 +3,19 @@
 use super::{Answer, json};
 use crate::asked::AskedLarge;
 use crate::explorer::Explorer;
+use crate::looks::{ShapeView, shapes};
 use crate::refusal::Refusal;
 use crate::robot::{EXAMINED, Edits, Options, Request, Robot, Source, WHOLE};
 use crate::work::Pace;
-use axum::extract::State;
+use axum::extract::{Path as UrlPath, State};
+use axum::http::StatusCode;
 use eigenbody::model::JointInfo;
 use eigenbody::{Joint, Metric, Model};
 use eigenbody_formats::{write_mjcf, write_urdf_with_rotors};
 use eigenbody_study::explore::{even_box, extent, link_inertia, pose, settled, stance};
 use serde::Serialize;
 use std::f64::consts::PI;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Numbers for drawing.
@@ -35,7 +38,7 @@ struct Description<'a> {
     extent: f64,
     can: Can,
     bodies: Vec<BodyView>,
-    meshes: Vec<MeshView>,
+    still: Vec<ShapeView>,
     dofs: Vec<DofView>,
     rows: &'a [usize],
     joints: Vec<JointView<'a>>,
@@ -44,6 +47,7 @@ struct Description<'a> {
     q0: Vec<f64>,
     unit: &'static str,
     findings: Vec<FindingView>,
+    text: Option<&'a str>,
     patch: Patch,
     limits: Limits,
 }
@@ -73,21 +77,6 @@ struct BodyView {
 struct BoxView {
     pose: Pose,
     half: [f32; 3],
-}
-
-#[derive(Serialize)]
-struct ShapeView {
-    kind: &'static str,
-    size: Vec<f32>,
-    pose: Pose,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mesh: Option<usize>,
-}
-
-#[derive(Serialize)]
-struct MeshView {
-    positions: Vec<f32>,
-    indices: Vec<u32>,
 }
 
 #[derive(Serialize)]
@@ -194,13 +183,13 @@ pub async fn model(
     AskedLarge(request): AskedLarge<Request>,
 ) -> Answer {
     let known = if request.is_lasting() { explorer.models.made_by(&request) } else { None };
-    let (id, opened) = (explorer.models.next_id(), explorer.opening.file.clone());
+    let (id, shared) = (explorer.models.next_id(), Arc::clone(&explorer));
     let made = explorer.workers.run(Pace::Quick, move || {
         let robot = match known {
             Some(robot) => robot,
-            None => Arc::new(Robot::new(id, request, opened.as_deref())?),
+            None => Arc::new(Robot::new(id, request, shared.opening.file.as_deref())?),
         };
-        let text = serde_json::to_vec(&describe(&robot)?)?;
+        let text = serde_json::to_vec(&describe(&robot, &shared)?)?;
         Ok((robot, text))
     });
     let (robot, text) = made.await?;
@@ -210,7 +199,17 @@ pub async fn model(
     Ok(json(text))
 }
 
-fn describe(robot: &Robot) -> Result<Description<'_>, Refusal> {
+/// `GET /api/mesh/K`: triangles, named by shapes.
+pub async fn mesh(State(explorer): State<Arc<Explorer>>, UrlPath(k): UrlPath<String>) -> Answer {
+    match k.parse().ok().and_then(|k| explorer.meshes.get(k)) {
+        Some(mesh) => Ok(json(mesh.to_vec())),
+        None => Err(Refusal::new(StatusCode::NOT_FOUND, "path", "no such mesh")),
+    }
+}
+
+fn describe<'r>(robot: &'r Robot, explorer: &Explorer) -> Result<Description<'r>, Refusal> {
+    let opened = explorer.opening.file.as_deref().filter(|_| !robot.request.is_lasting());
+    let (shapes, still) = shapes(robot, &explorer.meshes, opened.map(Path::new));
     let (model, loaded) = (robot.model(), &robot.loaded);
     let q0 = settled(model, robot.reduction, &loaded.configuration("zero", robot.reduction.mimic)?)?;
     let stance = stance(model, &q0)?;
@@ -242,8 +241,8 @@ fn describe(robot: &Robot) -> Result<Description<'_>, Refusal> {
             mimic: model.coupling().is_some(),
             rotors: !loaded.rotors.is_empty(),
         },
-        bodies: bodies(model),
-        meshes: Vec::new(),
+        bodies: bodies(model, shapes),
+        still,
         dofs: dofs(model),
         rows: &robot.rows,
         joints: model.joints().iter().map(|joint| joint_view(robot, joint)).collect(),
@@ -260,13 +259,14 @@ fn describe(robot: &Robot) -> Result<Description<'_>, Refusal> {
                 place: remark.place.map(|(file, at)| PlaceView { file, line: at.line, column: at.column }),
             })
             .collect(),
+        text: robot.text.as_deref(),
         patch: Patch { urdf: urdf.is_none(), mjcf: mjcf.is_none(), why: Why { urdf, mjcf } },
         limits: Limits::of(robot),
     })
 }
 
-fn bodies(model: &Model<f64>) -> Vec<BodyView> {
-    let view = |body: &eigenbody::model::Body<f64>| {
+fn bodies(model: &Model<f64>, shapes: Vec<Vec<ShapeView>>) -> Vec<BodyView> {
+    let view = |(body, shapes): (&eigenbody::model::Body<f64>, Vec<ShapeView>)| {
         let inertia = link_inertia(model, body.link());
         let even = inertia.as_ref().and_then(even_box);
         BodyView {
@@ -279,10 +279,10 @@ fn bodies(model: &Model<f64>) -> Vec<BodyView> {
                 pose: pose(&even.frame).map(|x| x as f32),
                 half: even.half.map(|x| x as f32),
             }),
-            shapes: Vec::new(),
+            shapes,
         }
     };
-    model.bodies().iter().map(view).collect()
+    model.bodies().iter().zip(shapes).map(view).collect()
 }
 
 fn dofs(model: &Model<f64>) -> Vec<DofView> {

@@ -40,6 +40,7 @@ pub fn router(explorer: Arc<Explorer>) -> Router {
         .route("/api/map", post(field::map))
         .route("/api/check", post(check::check))
         .route("/api/patch", post(patch::patch))
+        .route("/api/mesh/{k}", get(describe::mesh))
         .route("/api/figure/{id}", get(figure::figure))
         .method_not_allowed_fallback(no_method)
         .fallback(no_path)

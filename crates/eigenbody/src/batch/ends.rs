@@ -1,17 +1,21 @@
 //! λmin, λmax and κ′ of a group of configurations: from the matrices, side by side, as far as those know them.
 
-use super::{CrbaWorkspace, GROUP, Kernel};
+use super::mass::{Columns, Layout};
+use super::{GROUP, Kernel};
 use crate::conditioning::Values;
-use crate::dynamics::{Entries, crba};
 use crate::error::Error;
-use crate::model::{EMPTY, Model};
-use crate::scalar::{Scalar, Wide};
+use crate::model::Model;
+use crate::scalar::{Two, Wide};
 use crate::spectrum::sturm::Pencil;
-use crate::spectrum::{EndsWorkspace, Metric, Precision, ends, extremes_from};
+use crate::spectrum::{Metric, Packed, Precision, extremes_from};
+
+/// Up to so many rows, two triangles fit into the nearest memory, and both metrics are taken together.
+const TOGETHER: usize = 20;
 
 /// What is asked of every configuration.
 pub(super) struct Spectra<'a> {
     pub q: &'a [f64],
+    pub layout: &'a Layout,
     pub metric: &'a Metric<f64>,
     /// B of every DoF; of no meaning in the unit-diagonal metric.
     pub weights: &'a [f64],
@@ -22,12 +26,20 @@ pub(super) struct Spectra<'a> {
     pub out: &'a mut [Values],
 }
 
-/// Workspaces of both algorithms, H, and the units B^-½ of every DoF.
+/// H, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF, by place in pre-order.
 pub(super) struct Room<W> {
-    crba: CrbaWorkspace<W>,
-    ends: EndsWorkspace<W>,
-    H: Vec<W>,
+    columns: Columns<W>,
+    one: Packed<W>,
+    two: Packed<Two<W>>,
     units: Vec<W>,
+    own: Vec<W>,
+}
+
+impl Spectra<'_> {
+    /// H and the metric's λ and H's own are both asked for, and small.
+    fn together(&self) -> bool {
+        self.weighted && *self.metric != Metric::UnitDiagonal && self.layout.nv <= TOGETHER
+    }
 }
 
 impl Kernel<f64> for Spectra<'_> {
@@ -38,11 +50,14 @@ impl Kernel<f64> for Spectra<'_> {
     #[inline(always)]
     fn room<W: Wide<Constant = f64>>(&self, model: &Model<f64>) -> Room<W> {
         let nv = model.nv();
+        let (one, two) = if self.together() { (0, nv) } else { (nv, 0) };
+        let units = self.layout.order().map(|d| W::ONE / W::constant(self.weights[d]).sqrt());
         Room {
-            crba: CrbaWorkspace::new(model),
-            ends: EndsWorkspace::new(nv),
-            H: vec![W::ZERO; nv * nv],
-            units: vec![W::ZERO; nv],
+            columns: Columns::new(model, self.layout),
+            one: Packed::new(one),
+            two: Packed::new(two),
+            units: units.collect(),
+            own: vec![W::ZERO; nv],
         }
     }
 
@@ -53,54 +68,59 @@ impl Kernel<f64> for Spectra<'_> {
         q: &[W],
         first: usize,
         lanes: usize,
-        Room { crba: workspace, ends: tridiagonal, H, units }: &mut Room<W>,
+        Room { columns, one, two, units, own }: &mut Room<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
-        let nv = model.nv();
-        crba::<W, _>(model, q, workspace, &mut Full { H, nv });
+        let layout = self.layout;
+        columns.update(model, layout, q);
+        let H = &columns.H;
         let unit_diagonal = *self.metric == Metric::UnitDiagonal;
-        let (mut min, mut max) = ([0.0; GROUP], [0.0; GROUP]);
-        let mut own = [[0.0; GROUP]; 2];
-        let passes = if self.weighted && !unit_diagonal { 2 } else { 1 };
-        for pass in 0..passes {
-            let weighted = unit_diagonal || pass == 1;
-            for (d, unit) in units.iter_mut().enumerate() {
-                let B = if weighted { H[d * nv + d] } else { W::constant(self.weights[d]) };
-                *unit = W::ONE / B.sqrt();
-            }
-            for d in 0..nv {
-                for (e, scaled) in tridiagonal.row_mut(d)[..nv].iter_mut().enumerate() {
-                    *scaled = H[d * nv + e] * units[d] * units[e];
-                }
-            }
-            let [least, largest] = ends::<W>(tridiagonal);
-            if pass == 0 {
-                least.to_slice(&mut min);
-                largest.to_slice(&mut max);
-            }
-            if weighted {
-                least.to_slice(&mut own[0]);
-                largest.to_slice(&mut own[1]);
+        let weighted = self.weighted || unit_diagonal;
+        if weighted {
+            for (d, own) in own.iter_mut().enumerate() {
+                *own = W::ONE / H[layout.diagonal(d)].sqrt();
             }
         }
+        // λmin and λmax in the metric and in units of H's own diagonal.
+        let nothing = [W::ZERO; 2];
+        let (ends, own_ends) = if self.together() {
+            let mut entries = two.A.iter_mut().zip(&layout.packed);
+            for (i, (&unit_i, &own_i)) in units.iter().zip(&*own).enumerate() {
+                let row = entries.by_ref().take(i + 1);
+                for ((a, &place), (&unit, &own)) in row.zip(units.iter().zip(&*own)) {
+                    let H = H[place as usize];
+                    *a = Two(H * (unit_i * unit), H * (own_i * own));
+                }
+            }
+            let [min, max] = two.ends();
+            ([min.0, max.0], [min.1, max.1])
+        } else if unit_diagonal {
+            let found = scaled_ends(one, H, layout, own);
+            (found, found)
+        } else {
+            let found = scaled_ends(one, H, layout, units);
+            (found, if weighted { scaled_ends(one, H, layout, own) } else { nothing })
+        };
+        let mut numbers = [[0.0; GROUP]; 4];
+        for (numbers, x) in numbers.iter_mut().zip([ends[0], ends[1], own_ends[0], own_ends[1]]) {
+            x.to_slice(numbers);
+        }
+        let [min, max, own_min, own_max] = numbers;
         for lane in 0..lanes {
             let k = first + lane;
-            // A ratio that is not a number is not known either.
-            let known =
-                |least: f64, largest: f64| nv as f64 * f64::EPSILON * largest <= self.accuracy * least;
-            let weighted = self.weighted || unit_diagonal;
-            let all_known = known(min[lane], max[lane]) && (!weighted || known(own[0][lane], own[1][lane]));
             let found = Values {
                 lambda_min: min[lane],
                 lambda_max: max[lane],
-                kappa_weighted: if weighted { own[1][lane] / own[0][lane] } else { f64::NAN },
+                kappa_weighted: if weighted { own_max[lane] / own_min[lane] } else { f64::NAN },
             };
+            let all_known =
+                self.known(min[lane], max[lane]) && (!weighted || self.known(own_min[lane], own_max[lane]));
             if all_known {
                 self.out[k] = found;
                 continue;
             }
             let q = &self.q[k * model.nq()..][..model.nq()];
-            match by_counts(model, q, self.metric, self.weights, self.weighted || unit_diagonal) {
+            match by_counts(model, q, self.metric, self.weights, weighted) {
                 Ok(values) => self.out[k] = values,
                 Err(error) => {
                     failed.get_or_insert((k, error));
@@ -108,6 +128,26 @@ impl Kernel<f64> for Spectra<'_> {
             }
         }
     }
+}
+
+impl Spectra<'_> {
+    /// That rounding leaves λmin as good as asked. A ratio that is not a number is not known either.
+    #[inline(always)]
+    fn known(&self, least: f64, largest: f64) -> bool {
+        self.layout.nv as f64 * f64::EPSILON * largest <= self.accuracy * least
+    }
+}
+
+/// Both ends of H with every degree of freedom in its unit.
+#[inline(always)]
+fn scaled_ends<W: Wide>(room: &mut Packed<W>, H: &[W], layout: &Layout, units: &[W]) -> [W; 2] {
+    let mut entries = room.A.iter_mut().zip(&layout.packed);
+    for (i, &unit_i) in units.iter().enumerate() {
+        for ((a, &place), &unit) in entries.by_ref().take(i + 1).zip(units) {
+            *a = H[place as usize] * (unit_i * unit);
+        }
+    }
+    room.ends()
 }
 
 /// The same from the tree, whatever κ.
@@ -143,26 +183,4 @@ fn by_counts(
         }
     };
     Ok(Values { lambda_min: min, lambda_max: max, kappa_weighted })
-}
-
-/// One matrix in lanes, both triangles; entries between branches stay zero.
-struct Full<'a, W> {
-    H: &'a mut [W],
-    nv: usize,
-}
-
-impl<W: Scalar> Entries<W> for Full<'_, W> {
-    #[inline(always)]
-    fn put(&mut self, d: usize, e: usize, H_de: W) {
-        self.H[d * self.nv + e] = H_de;
-        self.H[e * self.nv + d] = H_de;
-    }
-    #[inline(always)]
-    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[W]) {
-        for (&d, &H_de) in dofs.iter().zip(H_e) {
-            if d != EMPTY {
-                self.put(d as usize, e, H_de);
-            }
-        }
-    }
 }

@@ -1,25 +1,28 @@
 //! H, τ and v̇ of a group of configurations.
 
-use super::{AbaWorkspace, CrbaWorkspace, GROUP, Kernel, RneaWorkspace, from_lanes, into_lanes};
-use crate::dynamics::{Aba, Entries, Rnea, crba};
+use super::mass::{Columns, Layout};
+use super::turn::{self, from_lanes, into_lanes};
+use super::{AbaWorkspace, GROUP, Kernel, RneaWorkspace};
+use crate::dynamics::{Aba, Rnea};
 use crate::error::{Error, NotPositiveDefinite};
-use crate::model::{EMPTY, Model};
+use crate::model::Model;
 use crate::scalar::{Batched, Real, Scalar, Wide};
 
 /// H.
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Masses<'a, T> {
+    pub(super) layout: &'a Layout,
     pub(super) H: &'a mut [T],
 }
 
 impl<T: Batched> Kernel<T> for Masses<'_, T> {
     type Output = ();
-    type Room<W: Wide<Constant = T>> = CrbaWorkspace<W>;
+    type Room<W: Wide<Constant = T>> = Columns<W>;
 
     #[inline(always)]
-    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> CrbaWorkspace<W> {
-        CrbaWorkspace::new(model)
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Columns<W> {
+        Columns::new(model, self.layout)
     }
 
     #[inline(always)]
@@ -29,40 +32,12 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         q: &[W],
         first: usize,
         lanes: usize,
-        room: &mut CrbaWorkspace<W>,
+        columns: &mut Columns<W>,
         (): &mut (),
     ) {
-        let nv = model.nv();
-        let H = &mut self.H[first * nv * nv..][..lanes * nv * nv];
-        H.fill(T::ZERO);
-        crba::<W, _>(model, q, room, &mut Scattered { H, nv });
-    }
-}
-
-/// One matrix a lane, one after the other.
-struct Scattered<'a, T> {
-    H: &'a mut [T],
-    nv: usize,
-}
-
-impl<T: Real, W: Wide<Constant = T>> Entries<W> for Scattered<'_, T> {
-    #[inline(always)]
-    fn put(&mut self, d: usize, e: usize, H_de: W) {
-        let mut lanes = [T::ZERO; GROUP];
-        H_de.to_slice(&mut lanes);
-        let (nv, below, above) = (self.nv, d * self.nv + e, e * self.nv + d);
-        for (H, &x) in self.H.chunks_exact_mut(nv * nv).zip(&lanes[..W::WIDTH]) {
-            H[below] = x;
-            H[above] = x;
-        }
-    }
-    #[inline(always)]
-    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[W]) {
-        for (&d, &H_de) in dofs.iter().zip(H_e) {
-            if d != EMPTY {
-                self.put(d as usize, e, H_de);
-            }
-        }
+        columns.update(model, self.layout, q);
+        let size = self.layout.places.len();
+        from_lanes(&columns.H, &self.layout.places, lanes, &mut self.H[first * size..]);
     }
 }
 
@@ -81,11 +56,14 @@ pub(super) struct Room<K, W> {
     v: Vec<W>,
     given: Vec<W>,
     found: Vec<W>,
+    /// 0..nv.
+    places: Vec<u32>,
 }
 
 impl<K, W: Scalar> Room<K, W> {
     fn new(workspace: K, nv: usize) -> Self {
-        Self { workspace, v: vec![W::ZERO; nv], given: vec![W::ZERO; nv], found: vec![W::ZERO; nv] }
+        let (v, given, found) = (turn::room(nv), turn::room(nv), vec![W::ZERO; nv]);
+        Self { workspace, v, given, found, places: (0..nv as u32).collect() }
     }
 }
 
@@ -105,14 +83,14 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         q: &[W],
         first: usize,
         lanes: usize,
-        Room { workspace, v, given, found }: &mut Self::Room<W>,
+        Room { workspace, v, given, found, places }: &mut Self::Room<W>,
         (): &mut (),
     ) {
         let nv = model.nv();
         into_lanes(&self.v[first * nv..], nv, lanes, v);
         into_lanes(&self.vdot[first * nv..], nv, lanes, given);
         Rnea { model, q, v, vdot: given, workspace, tau: found }.sweep::<W>();
-        from_lanes(found, nv, lanes, &mut self.tau[first * nv..]);
+        from_lanes(found, places, lanes, &mut self.tau[first * nv..]);
     }
 }
 
@@ -142,14 +120,14 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
         q: &[W],
         first: usize,
         lanes: usize,
-        Room { workspace, v, given, found }: &mut Self::Room<W>,
+        Room { workspace, v, given, found, places }: &mut Self::Room<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
         let nv = model.nv();
         into_lanes(&self.v[first * nv..], nv, lanes, v);
         into_lanes(&self.tau[first * nv..], nv, lanes, given);
         Aba { model, q, v, tau: given, workspace, vdot: found }.sweep::<W>();
-        from_lanes(found, nv, lanes, &mut self.vdot[first * nv..]);
+        from_lanes(found, places, lanes, &mut self.vdot[first * nv..]);
         if failed.is_none() && !all_positive(workspace.pivots()) {
             *failed = first_bad(model, workspace.pivots(), lanes).map(|(lane, error)| (first + lane, error));
         }

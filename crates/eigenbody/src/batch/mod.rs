@@ -10,19 +10,22 @@
 
 mod ends;
 mod kernels;
+mod mass;
+mod turn;
 
 use crate::conditioning::Values;
-use crate::dynamics::{AbaWorkspace, CrbaWorkspace, RneaWorkspace};
+use crate::dynamics::{AbaWorkspace, RneaWorkspace};
 use crate::error::{Error, InputError};
 use crate::model::{Model, check};
-use crate::scalar::{Batched, Scalar, Unit, Wide, WideAlgorithm};
+use crate::scalar::{Batched, MOST_LANES, Unit, Wide, WideAlgorithm};
 use crate::spectrum::Metric;
 use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
+use mass::Layout;
 use rayon::prelude::*;
 
 /// Configurations of the widest group: chunks are multiples of it.
-const GROUP: usize = 16;
+const GROUP: usize = MOST_LANES;
 /// Fewest configurations of a chunk.
 const CHUNK: usize = 4 * GROUP;
 
@@ -120,11 +123,12 @@ impl Batch<'_, f64> {
         model.check_dense().map_err(BatchError::Shape)?;
         let ones = vec![1.0; model.nv()];
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
-        let (nq, chunk, weights) = (model.nq(), chunk(values.len()), weights.as_slice());
+        let (nq, chunk, weights, layout) =
+            (model.nq(), chunk(values.len()), weights.as_slice(), &Layout::new(model));
         let failed: Vec<Option<(usize, Error)>> = chunks(q, chunk * nq)
             .zip(chunks_mut(values, chunk))
             .map(|(q, out)| {
-                let kernel = Spectra { q, metric, weights, weighted, accuracy, out };
+                let kernel = Spectra { q, layout, metric, weights, weighted, accuracy, out };
                 f64::dispatch_wide(unit, Over { model, q, kernel })
             })
             .collect();
@@ -159,9 +163,9 @@ impl<'m, T: Lanes> Batch<'m, T> {
         let count = self.count(q)?;
         let (nq, size) = (model.nq(), model.nv() * model.nv());
         length("H", H.len(), count * size)?;
-        let chunk = chunk(count);
+        let (chunk, layout) = (chunk(count), &Layout::new(model));
         let parts = chunks(q, chunk * nq).zip(chunks_mut(H, chunk * size));
-        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { H }));
+        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { layout, H }));
         Ok(())
     }
 
@@ -355,39 +359,15 @@ impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
     fn run<W: Wide<Constant = T>>(mut self) -> K::Output {
         let (model, nq) = (self.model, self.model.nq());
         let count = self.q.len().checked_div(nq).unwrap_or(0);
-        let mut q = vec![W::ZERO; nq];
+        let mut q = turn::room(nq);
         let (mut room, mut output) = (self.kernel.room::<W>(model), K::Output::default());
         let mut first = 0;
         while first < count {
             let lanes = W::WIDTH.min(count - first);
-            into_lanes(&self.q[first * nq..], nq, lanes, &mut q);
+            turn::into_lanes(&self.q[first * nq..], nq, lanes, &mut q);
             self.kernel.group(model, &q, first, lanes, &mut room, &mut output);
             first += W::WIDTH;
         }
         output
-    }
-}
-
-/// Rows of `n` numbers into lanes; where there are fewer rows than lanes the last row is repeated.
-#[inline(always)]
-fn into_lanes<W: Wide>(rows: &[W::Constant], n: usize, lanes: usize, out: &mut [W]) {
-    let mut buffer = [<W::Constant as Scalar>::ZERO; GROUP];
-    for (j, out) in out.iter_mut().enumerate() {
-        for (lane, number) in buffer[..W::WIDTH].iter_mut().enumerate() {
-            *number = rows[lane.min(lanes - 1) * n + j];
-        }
-        *out = W::from_slice(&buffer);
-    }
-}
-
-/// Lanes into rows of `n` numbers.
-#[inline(always)]
-fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, rows: &mut [W::Constant]) {
-    let mut buffer = [<W::Constant as Scalar>::ZERO; GROUP];
-    for (j, x) in x.iter().enumerate() {
-        x.to_slice(&mut buffer);
-        for (lane, &number) in buffer[..lanes].iter().enumerate() {
-            rows[lane * n + j] = number;
-        }
     }
 }

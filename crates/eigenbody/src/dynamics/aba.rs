@@ -1,23 +1,23 @@
-//! The articulated-body algorithm: the bias force first, then a robot at rest.
+//! The articulated-body algorithm: forces at q̈ = 0 first, then a robot at rest under them.
 //!
 //! ```text
-//! τ − C(q, q̇)                                        C from RNEA at q̈ = 0, gravity included
+//! p_i                                                the force that moves body i at q̈ = 0, gravity included: RNEA's forward sweep
 //! for i = N..1:   for d of body i, last to first:
-//!                     U_d = IA_i S_d      D_d = S_dᵀ U_d + armature_d      u_d = τ_d − C_d − S_dᵀ p_i
+//!                     U_d = IA_i S_d      D_d = S_dᵀ U_d + armature_d      u_d = τ_d − S_dᵀ p_i
 //!                     IA_i −= U_d D_d⁻¹ U_dᵀ      p_i += U_d D_d⁻¹ u_d
-//!                 IA_p += X_upᵀ IA_i X_up        p_p += X_upᵀ p_i          (IA_i starts as I_i, p_i as 0)
+//!                 IA_p += X_upᵀ IA_i X_up        p_p += X_upᵀ p_i          (IA_i starts as I_i)
 //! for i = 1..N:   a = X_up a_p
 //!                 for d of body i, first to last:   q̈_d = D_d⁻¹ (u_d − U_dᵀ a);   a += S_d q̈_d
 //! ```
-//! Featherstone (2008), table 7.1, without its velocity terms: H q̈ = τ − C is a robot at rest that feels what is left of τ. A joint of
+//! Featherstone (2008), table 7.1, without its velocity terms: H q̈ = τ − C is a robot at rest, pushed by −p_i. A joint of
 //! k DoFs is k hinges in the same place with massless links between. Cost O(N). H = L D Lᵀ with these D: they are the pivots of a
 //! Cholesky-type elimination of H from the tips inwards.
 
 use super::posture::{Posture, position, slide};
-use super::rnea::{RneaWorkspace, check_out, rnea};
+use super::rnea::{RneaWorkspace, check_out, forces};
 use crate::error::{Error, NotPositiveDefinite};
 use crate::joint::Column;
-use crate::model::{Mechanism, Model, MotionKind, with_twist};
+use crate::model::{Model, MotionKind, with_twist};
 use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 
@@ -25,28 +25,33 @@ use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 #[derive(Debug, Clone)]
 pub struct AbaWorkspace<T> {
     bias: RneaWorkspace<T>,
-    /// N + 1, the world first: articulated inertia and bias force, accumulated backwards; acceleration.
-    IA: Vec<ArticulatedInertia<T>>,
-    p: Vec<Force<T>>,
+    /// By level: what the subtrees of a body add to its own articulated inertia and bias force. Written and read by the backward sweep.
+    carried: Vec<(ArticulatedInertia<T>, Force<T>)>,
+    /// By level, the world first: accelerations on the path to the body at hand.
     a: Vec<Motion<T>>,
-    /// nv: C, then u. Written by the bias pass and the backward sweep.
-    u: Vec<T>,
-    /// nv: U = IA S and the hinge inertia D. Written by the backward sweep.
-    U: Vec<Force<T>>,
+    /// nv: what q̈ is made of. Written by the backward sweep.
+    hinges: Vec<Hinge<T>>,
+    /// nv: hinge inertias. Written by the backward sweep.
     D: Vec<T>,
+}
+
+/// u, U = IA S, and D⁻¹ of a degree of freedom.
+#[derive(Debug, Clone, Copy)]
+struct Hinge<T> {
+    u: T,
+    U: Force<T>,
+    D_inverse: T,
 }
 
 impl<T: Scalar> AbaWorkspace<T> {
     /// Room for a model.
     pub fn new(model: &Model<T::Constant>) -> Self {
-        let (n, nv) = (model.bodies.len() + 1, model.nv());
+        let (levels, nv) = (model.mechanism.depth + 1, model.nv());
         Self {
             bias: RneaWorkspace::new(model),
-            IA: vec![ArticulatedInertia::ZERO; n],
-            p: vec![Force::ZERO; n],
-            a: vec![Motion::ZERO; n],
-            u: vec![T::ZERO; nv],
-            U: vec![Force::ZERO; nv],
+            carried: vec![(ArticulatedInertia::ZERO, Force::ZERO); levels],
+            a: vec![Motion::ZERO; levels],
+            hinges: vec![Hinge { u: T::ZERO, U: Force::ZERO, D_inverse: T::ZERO }; nv],
             D: vec![T::ZERO; nv],
         }
     }
@@ -135,99 +140,108 @@ impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
     #[inline(always)]
     pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
         let Self { model, q, v, tau, workspace, vdot } = self;
-        let AbaWorkspace { bias, IA, p, a, u, U, D } = workspace;
+        let AbaWorkspace { bias, carried, a, hinges, D } = workspace;
         bias.posture.update::<S>(&model.mechanism, q);
         let zeros = std::mem::take(&mut bias.zeros);
-        rnea::<S>(model, q, v, &zeros, bias, u);
+        forces::<S>(model, q, v, &zeros, bias);
         bias.zeros = zeros;
-        for (u, &tau) in u.iter_mut().zip(tau) {
-            *u = (S::load(tau) - S::load(*u)).store();
-        }
-        at_rest::<S>(model, &bias.posture, q, (IA, p, a), (u, U, D), vdot);
+        inwards::<S>(model, q, tau, bias, carried, hinges, D);
+        outwards::<S>(model, &bias.posture, q, a, hinges, vdot);
     }
 }
 
-/// Both sweeps over a robot at rest.
+/// Eliminates the hinges, tips first.
 #[inline(always)]
-#[allow(clippy::type_complexity)]
-fn at_rest<S: Scalar>(
+fn inwards<S: Scalar>(
     model: &Model<S::Constant>,
-    posture: &Posture<S::Stored>,
     q: &[S::Stored],
-    (IA, p, a): (&mut [ArticulatedInertia<S::Stored>], &mut [Force<S::Stored>], &mut [Motion<S::Stored>]),
-    (u, U, D): (&mut [S::Stored], &mut [Force<S::Stored>], &mut [S::Stored]),
-    qdd: &mut [S::Stored],
+    tau: &[S::Stored],
+    RneaWorkspace { posture, f, .. }: &RneaWorkspace<S::Stored>,
+    carried: &mut [(ArticulatedInertia<S::Stored>, Force<S::Stored>)],
+    hinges: &mut [Hinge<S::Stored>],
+    D: &mut [S::Stored],
 ) {
-    let Mechanism { members, .. } = &model.mechanism;
-    for ((IA, p), m) in IA[1..].iter_mut().zip(&mut p[1..]).zip(members) {
-        (*IA, *p) = (m.I.map(S::Stored::constant).articulated(), Force::ZERO);
-    }
-    for (i, m) in members.iter().enumerate().rev() {
-        let (mut IA_i, mut p_i) = (IA[i + 1].map(S::load), p[i + 1].map(S::load));
-        let mut eliminate = Eliminate { IA: &mut IA_i, p: &mut p_i, u, U, D, armature: &model.armature };
+    for (i, m) in model.mechanism.members.iter().enumerate().rev() {
+        let (mut IA_i, mut p_i) = (m.I.articulated().map(S::constant), f[i + 1].map(S::load));
+        if !m.is_leaf {
+            let (IA, p) = &carried[m.level as usize];
+            (IA_i, p_i) = (IA_i + IA.map(S::load), p_i + p.map(S::load));
+        }
+        let mut eliminate =
+            Eliminate { IA: &mut IA_i, p: &mut p_i, tau, hinges, D, armature: &model.armature };
         let d = m.v0 as usize;
-        let (IA_up, p_up) = match m.motion {
-            MotionKind::Hinge => {
-                eliminate.unit::<2>(d);
-                let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, C: S => {
-                    let X = Placed { E: ThenZ { turn, first: C }, r };
-                    (X.transpose_articulated(IA_i), X.transpose_force(p_i))
-                })
-            }
-            MotionKind::Slide => {
-                eliminate.unit::<5>(d);
-                let X = slide::<S>(m, q);
-                (X.transpose_articulated(IA_i), X.transpose_force(p_i))
-            }
+        match m.motion {
+            MotionKind::Hinge => eliminate.unit::<2>(d),
+            MotionKind::Slide => eliminate.unit::<5>(d),
             MotionKind::Other => {
                 for (d, &column) in (d..d + m.joint.nv()).zip(m.joint.columns()).rev() {
                     eliminate.column(d, column, posture.S[d].map(S::load));
                 }
-                let X = posture.placed::<S>(i);
-                (X.transpose_articulated(IA_i), X.transpose_force(p_i))
             }
-        };
-        let parent = m.parent as usize;
-        IA[parent] = (IA[parent].map(S::load) + IA_up).map(S::store);
-        p[parent] = (p[parent].map(S::load) + p_up).map(S::store);
-    }
-    for (i, m) in members.iter().enumerate() {
-        let a_p = a[m.parent as usize].map(S::load);
-        let d = m.v0 as usize;
-        let mut a_i = match m.motion {
+        }
+        if m.parent == 0 {
+            continue;
+        }
+        let (mut IA_up, mut p_up) = match m.motion {
             MotionKind::Hinge => {
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
+                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.transpose_both(IA_i, p_i))
             }
-            MotionKind::Slide => slide::<S>(m, q).motion(a_p),
-            MotionKind::Other => posture.placed::<S>(i).motion(a_p),
+            MotionKind::Slide => slide::<S>(m, q).transpose_both(IA_i, p_i),
+            MotionKind::Other => posture.placed::<S>(i).transpose_both(IA_i, p_i),
+        };
+        let (IA, p) = &mut carried[m.level as usize - 1];
+        if !m.is_last {
+            (IA_up, p_up) = (IA_up + IA.map(S::load), p_up + p.map(S::load));
+        }
+        (*IA, *p) = (IA_up.map(S::store), p_up.map(S::store));
+    }
+}
+
+/// Accelerations, from the world on.
+#[inline(always)]
+fn outwards<S: Scalar>(
+    model: &Model<S::Constant>,
+    posture: &Posture<S::Stored>,
+    q: &[S::Stored],
+    a: &mut [Motion<S::Stored>],
+    hinges: &[Hinge<S::Stored>],
+    qdd: &mut [S::Stored],
+) {
+    for (i, m) in model.mechanism.members.iter().enumerate() {
+        let d = m.v0 as usize;
+        let mut a_i = if m.parent == 0 {
+            Motion::ZERO
+        } else {
+            let a_p = a[m.level as usize - 1].map(S::load);
+            match m.motion {
+                MotionKind::Hinge => {
+                    let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
+                    with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
+                }
+                MotionKind::Slide => slide::<S>(m, q).motion(a_p),
+                MotionKind::Other => posture.placed::<S>(i).motion(a_p),
+            }
         };
         match m.motion {
-            MotionKind::Hinge => a_i.ang.z += accelerate::<S>(d, a_i, u, U, D, qdd),
-            MotionKind::Slide => a_i.lin.z += accelerate::<S>(d, a_i, u, U, D, qdd),
+            MotionKind::Hinge => a_i.ang.z += accelerate::<S>(d, a_i, hinges, qdd),
+            MotionKind::Slide => a_i.lin.z += accelerate::<S>(d, a_i, hinges, qdd),
             MotionKind::Other => {
                 for (d, &column) in (d..).zip(m.joint.columns()) {
-                    let qdd_d = accelerate::<S>(d, a_i, u, U, D, qdd);
+                    let qdd_d = accelerate::<S>(d, a_i, hinges, qdd);
                     a_i = column.moved(a_i, posture.S[d].map(S::load), qdd_d);
                 }
             }
         }
-        a[i + 1] = a_i.map(S::store);
+        a[m.level as usize] = a_i.map(S::store);
     }
 }
 
 /// q̈_d = D_d⁻¹ (u_d − U_dᵀ a).
 #[inline(always)]
-fn accelerate<S: Scalar>(
-    d: usize,
-    a: Motion<S>,
-    u: &[S::Stored],
-    U: &[Force<S::Stored>],
-    D: &[S::Stored],
-    qdd: &mut [S::Stored],
-) -> S {
-    let qdd_d = (S::load(u[d]) - a.dot(U[d].map(S::load))) / S::load(D[d]);
+fn accelerate<S: Scalar>(d: usize, a: Motion<S>, hinges: &[Hinge<S::Stored>], qdd: &mut [S::Stored]) -> S {
+    let Hinge { u, U, D_inverse } = &hinges[d];
+    let qdd_d = (S::load(*u) - a.dot(U.map(S::load))) * S::load(*D_inverse);
     qdd[d] = qdd_d.store();
     qdd_d
 }
@@ -236,8 +250,8 @@ fn accelerate<S: Scalar>(
 struct Eliminate<'a, S: Scalar> {
     IA: &'a mut ArticulatedInertia<S>,
     p: &'a mut Force<S>,
-    u: &'a mut [S::Stored],
-    U: &'a mut [Force<S::Stored>],
+    tau: &'a [S::Stored],
+    hinges: &'a mut [Hinge<S::Stored>],
     D: &'a mut [S::Stored],
     armature: &'a [S::Constant],
 }
@@ -248,10 +262,11 @@ impl<S: Scalar> Eliminate<'_, S> {
     fn unit<const K: usize>(&mut self, d: usize) {
         let (U, armature) = (self.IA.column::<K>(), S::constant(self.armature[d]));
         let D = U.component::<K>() + armature;
-        let (D_inverse, u) = (S::ONE / D, S::load(self.u[d]) - self.p.component::<K>());
+        let (D_inverse, u) = (S::ONE / D, S::load(self.tau[d]) - self.p.component::<K>());
         *self.IA = self.IA.minus_outer(U, D_inverse).with_column::<K>(U * (armature * D_inverse));
         *self.p += U * (D_inverse * u);
-        (self.U[d], self.D[d], self.u[d]) = (U.map(S::store), D.store(), u.store());
+        self.hinges[d] = Hinge { u: u.store(), U: U.map(S::store), D_inverse: D_inverse.store() };
+        self.D[d] = D.store();
     }
 
     /// DoF d with any column.
@@ -259,10 +274,11 @@ impl<S: Scalar> Eliminate<'_, S> {
     fn any(&mut self, d: usize, S_d: Motion<S>) {
         let U = self.IA.times(S_d);
         let D = S_d.dot(U) + S::constant(self.armature[d]);
-        let (D_inverse, u) = (S::ONE / D, S::load(self.u[d]) - S_d.dot(*self.p));
+        let (D_inverse, u) = (S::ONE / D, S::load(self.tau[d]) - S_d.dot(*self.p));
         *self.IA = self.IA.minus_outer(U, D_inverse);
         *self.p += U * (D_inverse * u);
-        (self.U[d], self.D[d], self.u[d]) = (U.map(S::store), D.store(), u.store());
+        self.hinges[d] = Hinge { u: u.store(), U: U.map(S::store), D_inverse: D_inverse.store() };
+        self.D[d] = D.store();
     }
 
     #[inline(always)]

@@ -26,7 +26,7 @@ const ROWS: usize = 7;
 #[derive(Debug, Clone)]
 pub struct CrbaWorkspace<T> {
     posture: Posture<T>,
-    /// N + 1, the world first: inertia of each body with all that it carries, frozen. Accumulated backwards.
+    /// By level: inertia of all that a body carries, frozen. Written and read by the sweep.
     Ic: Vec<PseudoInertia<T>>,
     /// Seven rows, one number a slot: F of every degree of freedom, in the frame of the body that it has been carried to, and its product
     /// with a column of S.
@@ -38,7 +38,7 @@ impl<T: Scalar> CrbaWorkspace<T> {
     pub fn new(model: &Model<T::Constant>) -> Self {
         Self {
             posture: Posture::new(&model.mechanism),
-            Ic: vec![PseudoInertia::ZERO; model.bodies.len() + 1],
+            Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
             F: [0; ROWS].map(|_| vec![T::ZERO; model.mechanism.slots.len()]),
         }
     }
@@ -145,16 +145,16 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
 ) {
     let Mechanism { members, slots, .. } = &model.mechanism;
     posture.update::<S>(&model.mechanism, q);
-    for (Ic, m) in Ic[1..].iter_mut().zip(members) {
-        *Ic = m.I.map(S::Stored::constant);
-    }
     for (i, m) in members.iter().enumerate().rev() {
-        let Ic_i = Ic[i + 1].map(S::load);
+        let mut Ic_i = m.I.map(S::constant);
+        if !m.is_leaf {
+            Ic_i += Ic[m.level as usize].map(S::load);
+        }
         own_block::<S, H>(model, posture, m, Ic_i, F, H);
         if m.parent == 0 {
             continue;
         }
-        let up = match m.motion {
+        let mut up = match m.motion {
             MotionKind::Hinge => {
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
                 let turns = (turn.0.spread(), turn.1.spread());
@@ -173,8 +173,11 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
             }
         };
         put_rows::<S, H>(posture, slots, m, &members[m.parent as usize - 1], F, H);
-        let p = m.parent as usize;
-        Ic[p] = (Ic[p].map(S::load) + up).map(S::store);
+        let sum = &mut Ic[m.level as usize - 1];
+        if !m.is_last {
+            up += sum.map(S::load);
+        }
+        *sum = up.map(S::store);
     }
 }
 

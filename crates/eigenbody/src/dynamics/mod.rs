@@ -25,7 +25,6 @@ pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
 pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
 pub use closure::{Anchor, Closure, Tie, closure_jacobian, closure_residual};
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into};
-pub(crate) use crba::{Entries, crba};
 pub use denoc::{Denoc, Udu};
 pub use energy::{Energy, EnergyShares, energy, energy_into, energy_shares};
 pub(crate) use floating::BASE;
@@ -34,6 +33,7 @@ pub use gradient::{GradientWorkspace, kinetic_energy_gradient, kinetic_energy_gr
 pub use inertial::{InertialGradient, inertial_gradient};
 pub use kinematics::{Kinematics, axes, link_pose, link_poses};
 pub use momentum::{Momentum, MomentumWorkspace, momentum, momentum_into};
+pub(crate) use posture::{Posture, position, slide};
 pub use reduction::Reduction;
 pub(crate) use reroot::{Rerooted, TreeBody};
 pub(crate) use rnea::Rnea;

@@ -6,7 +6,7 @@ use crate::spatial::{Mat3, Motion, Placed, Transform, Vec3};
 
 /// A mechanism at q.
 #[derive(Debug, Clone)]
-pub(super) struct Posture<T> {
+pub(crate) struct Posture<T> {
     /// N: the angle of each hinge, zero for other joints; sine and cosine of angle and offset.
     angle: Vec<T>,
     sin: Vec<T>,
@@ -85,12 +85,12 @@ impl<T: Scalar> Posture<T> {
 
 /// From the parent to a body on a slide, which stands q along z.
 #[inline(always)]
-pub(super) fn slide<S: Scalar>(m: &Member<S::Constant>, q: &[S::Stored]) -> Placed<S, Mat3<S>> {
+pub(crate) fn slide<S: Scalar>(m: &Member<S::Constant>, q: &[S::Stored]) -> Placed<S, Mat3<S>> {
     let E = m.C.map(S::constant);
     Placed { E, r: E.z.mul_add(S::load(q[m.q0 as usize]), position::<S>(m)) }
 }
 
 #[inline(always)]
-pub(super) fn position<S: Scalar>(m: &Member<S::Constant>) -> Vec3<S> {
+pub(crate) fn position<S: Scalar>(m: &Member<S::Constant>) -> Vec3<S> {
     m.r.map(S::constant)
 }

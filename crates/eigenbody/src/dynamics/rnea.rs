@@ -22,10 +22,11 @@ use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
 #[derive(Debug, Clone)]
 pub struct RneaWorkspace<T> {
     pub(super) posture: Posture<T>,
-    /// N + 1, the world first.
-    bodies: Vec<Moving<T>>,
-    /// N + 1: force transmitted through each joint. Written forwards, accumulated backwards.
-    f: Vec<Force<T>>,
+    /// By level, the world first: the bodies on the path to the one at hand.
+    path: Vec<Moving<T>>,
+    /// N + 1, the world first: force that moves each body, then force transmitted through its joint. Written forwards, accumulated
+    /// backwards.
+    pub(super) f: Vec<Force<T>>,
     /// nv: zeros, for the callers that need v = 0 or v̇ = 0.
     pub(super) zeros: Vec<T>,
 }
@@ -47,7 +48,7 @@ impl<T: Scalar> RneaWorkspace<T> {
         let still = Moving { omega: Vec3::ZERO, alpha: Vec3::ZERO, a: Vec3::ZERO, Psi: Mat3::ZERO };
         Self {
             posture: Posture::new(&model.mechanism),
-            bodies: vec![still; n],
+            path: vec![still; model.mechanism.depth + 1],
             f: vec![Force::ZERO; n],
             zeros: vec![T::ZERO; model.nv()],
         }
@@ -149,12 +150,51 @@ pub(super) fn rnea<S: Scalar>(
     workspace: &mut RneaWorkspace<S::Stored>,
     tau: &mut [S::Stored],
 ) {
-    let RneaWorkspace { posture, bodies, f, .. } = workspace;
+    forces::<S>(model, q, qd, qdd, workspace);
+    let RneaWorkspace { posture, f, .. } = workspace;
+    for (i, m) in model.mechanism.members.iter().enumerate().rev() {
+        let (d, f_i) = (m.v0 as usize, f[i + 1].map(S::load));
+        let armature = |d: usize| S::constant(model.armature[d]) * S::load(qdd[d]);
+        match m.motion {
+            MotionKind::Hinge => tau[d] = (f_i.ang.z + armature(d)).store(),
+            MotionKind::Slide => tau[d] = (f_i.lin.z + armature(d)).store(),
+            MotionKind::Other => {
+                for (d, &column) in (d..).zip(m.joint.columns()) {
+                    let S_d = posture.S[d].map(S::load);
+                    tau[d] = (column.along(S_d, f_i) + armature(d)).store();
+                }
+            }
+        }
+        if m.parent == 0 {
+            continue;
+        }
+        let up = match m.motion {
+            MotionKind::Hinge => {
+                let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
+                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(f_i))
+            }
+            MotionKind::Slide => slide::<S>(m, q).transpose_force(f_i),
+            MotionKind::Other => posture.placed::<S>(i).transpose_force(f_i),
+        };
+        let p = m.parent as usize;
+        f[p] = (f[p].map(S::load) + up).map(S::store);
+    }
+}
+
+/// The forward sweep: the force that moves each body as q̇ and q̈ say.
+#[inline(always)]
+pub(super) fn forces<S: Scalar>(
+    model: &Model<S::Constant>,
+    q: &[S::Stored],
+    qd: &[S::Stored],
+    qdd: &[S::Stored],
+    RneaWorkspace { posture, path, f, .. }: &mut RneaWorkspace<S::Stored>,
+) {
     let Mechanism { members, .. } = &model.mechanism;
-    bodies[0].a = (-model.gravity.map(S::constant)).map(S::store);
+    path[0].a = (-model.gravity.map(S::constant)).map(S::store);
     for (i, m) in members.iter().enumerate() {
-        let (before, rest) = bodies.split_at_mut(i + 1);
-        let (up, out) = (&before[m.parent as usize], &mut rest[0]);
+        let (before, rest) = path.split_at_mut(m.level as usize);
+        let (up, out) = (&before[m.level as usize - 1], &mut rest[0]);
         let d = m.v0 as usize;
         let force = match m.motion {
             MotionKind::Hinge => {
@@ -165,30 +205,6 @@ pub(super) fn rnea<S: Scalar>(
             MotionKind::Other => other::<S>(posture, i, m, qd, qdd, up, out),
         };
         f[i + 1] = force.map(S::store);
-    }
-    for (i, m) in members.iter().enumerate().rev() {
-        let (d, f_i) = (m.v0 as usize, f[i + 1].map(S::load));
-        let armature = |d: usize| S::constant(model.armature[d]) * S::load(qdd[d]);
-        let up = match m.motion {
-            MotionKind::Hinge => {
-                tau[d] = (f_i.ang.z + armature(d)).store();
-                let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
-                with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(f_i))
-            }
-            MotionKind::Slide => {
-                tau[d] = (f_i.lin.z + armature(d)).store();
-                slide::<S>(m, q).transpose_force(f_i)
-            }
-            MotionKind::Other => {
-                for (d, &column) in (d..).zip(m.joint.columns()) {
-                    let S_d = posture.S[d].map(S::load);
-                    tau[d] = (column.along(S_d, f_i) + armature(d)).store();
-                }
-                posture.placed::<S>(i).transpose_force(f_i)
-            }
-        };
-        let p = m.parent as usize;
-        f[p] = (f[p].map(S::load) + up).map(S::store);
     }
 }
 

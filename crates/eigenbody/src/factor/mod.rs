@@ -1,13 +1,17 @@
 //! Factorisations: of H along its tree, and of any symmetric matrix.
 //!
 //! Elimination of H runs from the tips inwards, so that no entry between different branches ever fills in (Featherstone 2008,
-//! §6.5). All have the same doors: `new`, `factor`, `solve`, `inverse_into`, `reconstruct_into`.
+//! §6.5). Factorisations have the same doors: `new`, `factor`, `solve`, `inverse_into`, `reconstruct_into`.
 
 mod cholesky;
+mod coupled;
 mod ltdl;
 mod ltl;
 
 pub use cholesky::Cholesky;
+pub use coupled::{
+    CoupledWorkspace, coupled_bias_force_into, coupled_forward_dynamics_into, coupled_inverse_dynamics_into,
+};
 pub use ltdl::Ltdl;
 pub use ltl::Ltl;
 

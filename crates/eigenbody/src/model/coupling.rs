@@ -67,25 +67,50 @@ impl<T: Real> Coupling<T> {
         self.dofs.iter().map(|f| f.multiplier * p[f.source as usize]).collect()
     }
 
+    /// [`push_forward`](Self::push_forward) into `v`, one number a DoF of the model; allocates nothing and checks nothing.
+    pub fn push_forward_into(&self, p: &[T], v: &mut [T]) {
+        for (v, f) in v.iter_mut().zip(&self.dofs) {
+            *v = f.multiplier * p[f.source as usize];
+        }
+    }
+
+    /// Rates of all joints: the independent ones as they stand in `v`, of all degrees of freedom, and the others following them.
+    pub fn follow(&self, v: &[T]) -> Vec<T> {
+        let free: Vec<T> = self.independent_dofs.iter().map(|&d| v[d]).collect();
+        self.push_forward(&free)
+    }
+
     /// Gᵀ f: forces or gradients on the independent DoFs.
     pub fn pull_back(&self, f: &[T]) -> Vec<T> {
         let mut reduced = vec![T::ZERO; self.nv()];
+        self.pull_back_into(f, &mut reduced);
+        reduced
+    }
+
+    /// [`pull_back`](Self::pull_back) into `reduced`, [`nv`](Self::nv) numbers; allocates nothing and checks nothing.
+    pub fn pull_back_into(&self, f: &[T], reduced: &mut [T]) {
+        reduced.fill(T::ZERO);
         for (follow, &f) in self.dofs.iter().zip(f) {
             reduced[follow.source as usize] += follow.multiplier * f;
         }
-        reduced
     }
 
     /// H_reduced = Gᵀ H G.
     pub fn reduce(&self, H: &Matrix<T>) -> Matrix<T> {
         let mut reduced = Matrix::zeros(self.nv(), self.nv());
+        self.reduce_into(H, &mut reduced);
+        reduced
+    }
+
+    /// [`reduce`](Self::reduce) into `reduced`; allocates nothing and checks nothing.
+    pub fn reduce_into(&self, H: &Matrix<T>, reduced: &mut Matrix<T>) {
+        reduced.fill(T::ZERO);
         for (d, a) in self.dofs.iter().enumerate() {
             for (e, b) in self.dofs.iter().enumerate() {
                 let weight = a.multiplier * b.multiplier;
                 reduced[(a.source as usize, b.source as usize)] += weight * H[(d, e)];
             }
         }
-        reduced
     }
 }
 

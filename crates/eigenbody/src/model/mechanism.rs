@@ -29,6 +29,8 @@ pub(crate) struct Mechanism<T> {
     pub slots: Vec<u32>,
     /// The joints whose coordinates hold a quaternion, and where it begins in q.
     pub quaternions: Vec<(u32, u32)>,
+    /// The longest path from the world, in bodies.
+    pub depth: usize,
 }
 
 /// Slots of a block.
@@ -43,6 +45,12 @@ pub(crate) struct Member<T> {
     pub slots: Range<u32>,
     /// One more than the body that carries it, 0 for the world.
     pub parent: u32,
+    /// Bodies on the path from the world, itself included. In pre-order, what stands in a row for a level is the ancestor's.
+    pub level: u32,
+    /// It carries no body.
+    pub is_leaf: bool,
+    /// No body that the same one carries comes after it.
+    pub is_last: bool,
     pub q0: u32,
     pub v0: u32,
     pub motion: MotionKind,
@@ -123,6 +131,7 @@ impl<T: Real> Mechanism<T> {
         let mut mechanism = Self {
             slots: Vec::new(),
             quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
+            depth: 0,
             members: Vec::with_capacity(bodies.len()),
             sin_offset: Vec::with_capacity(bodies.len()),
             cos_offset: Vec::with_capacity(bodies.len()),
@@ -152,9 +161,14 @@ impl<T: Real> Mechanism<T> {
             }
             let first = slots.len() as u32;
             slots.extend(body.dofs().map(|d| d as u32));
+            let level = 1 + body.parent().map_or(0, |p| mechanism.members[p].level);
+            mechanism.depth = mechanism.depth.max(level as usize);
             mechanism.members.push(Member {
                 slots: first..slots.len() as u32,
                 parent: if body.parent == WORLD { 0 } else { body.parent + 1 },
+                level,
+                is_leaf: true,
+                is_last: true,
                 q0: body.q0,
                 v0: body.v0,
                 motion,
@@ -169,6 +183,8 @@ impl<T: Real> Mechanism<T> {
         }
         for i in (0..bodies.len()).rev() {
             if let Some(p) = bodies[i].parent() {
+                mechanism.members[i].is_last = mechanism.members[p].is_leaf;
+                mechanism.members[p].is_leaf = false;
                 let end = mechanism.members[i].slots.end.max(mechanism.members[p].slots.end);
                 mechanism.members[p].slots.end = end;
             }

@@ -1,7 +1,7 @@
 //! f32 and f64 as scalars.
 
 use super::fused::Fused;
-use super::{Algorithm, Dd, Real, Scalar, Trig, Wide, only_itself};
+use super::{Algorithm, Dd, MOST_LANES, Real, Scalar, Trig, Wide, only_itself};
 
 macro_rules! float {
     ($T:ident, $trig:expr) => {
@@ -63,6 +63,16 @@ macro_rules! float {
             #[inline(always)]
             fn to_slice(self, out: &mut [Self]) {
                 out[0] = self;
+            }
+            #[inline(always)]
+            fn gather(from: &[Self], at: &[usize; MOST_LANES]) -> [Self; 4] {
+                let from = &from[at[0]..at[0] + 4];
+                [from[0], from[1], from[2], from[3]]
+            }
+            /// There is one lane: the other three numbers mean nothing.
+            #[inline(always)]
+            fn turn(x: &[Self], at: &[usize; MOST_LANES], _: usize) -> [Self; 4] {
+                [x[at[0]]; 4]
             }
         }
 

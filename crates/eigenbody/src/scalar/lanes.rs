@@ -24,7 +24,14 @@ pub trait Wide: Scalar<Stored = Self> {
     fn from_slice(x: &[Self::Constant]) -> Self;
     /// Into the first [`WIDTH`](Self::WIDTH) places of a slice.
     fn to_slice(self, out: &mut [Self::Constant]);
+    /// Four numbers from each of [`WIDTH`](Self::WIDTH) places: lane l of number k is `from[at[l] + k]`.
+    fn gather(from: &[Self::Constant], at: &[usize; MOST_LANES]) -> [Self; 4];
+    /// Four lanes from `first` on of each of [`WIDTH`](Self::WIDTH) values: lane j of number k is lane `first + k` of `x[at[j]]`.
+    fn turn(x: &[Self], at: &[usize; MOST_LANES], first: usize) -> [Self; 4];
 }
+
+/// Lanes of the widest unit.
+pub const MOST_LANES: usize = 16;
 
 /// N numbers in an array: the lanes of a machine without wide units, and the reference for those with them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,6 +196,82 @@ impl<const N: usize, T: Real> Scalar for Array<N, T> {
     }
 }
 
+/// Two scalars as one: what is done alike to both is done in turns, and neither waits for itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Two<S>(pub S, pub S);
+
+impl<S: Scalar> Two<S> {
+    #[inline(always)]
+    fn plus(self, b: Self) -> Self {
+        Self(self.0 + b.0, self.1 + b.1)
+    }
+    #[inline(always)]
+    fn minus(self, b: Self) -> Self {
+        Self(self.0 - b.0, self.1 - b.1)
+    }
+    #[inline(always)]
+    fn times(self, b: Self) -> Self {
+        Self(self.0 * b.0, self.1 * b.1)
+    }
+    #[inline(always)]
+    fn over(self, b: Self) -> Self {
+        Self(self.0 / b.0, self.1 / b.1)
+    }
+    #[inline(always)]
+    fn negated(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+lane_operators!(Two<S>, S: Scalar);
+
+impl<S: Scalar> Scalar for Two<S> {
+    type Constant = S::Constant;
+    #[inline(always)]
+    fn constant(c: S::Constant) -> Self {
+        Self(S::constant(c), S::constant(c))
+    }
+    only_itself!();
+    const ZERO: Self = Self(S::ZERO, S::ZERO);
+    const ONE: Self = Self(S::ONE, S::ONE);
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self(S::from_f64(x), S::from_f64(x))
+    }
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Self(self.0.mul_add(a.0, b.0), self.1.mul_add(a.1, b.1))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let ((s0, c0), (s1, c1)) = (self.0.sin_cos(), self.1.sin_cos());
+        (Self(s0, s1), Self(c0, c1))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0), self.1.min(other.1))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0), self.1.max(other.1))
+    }
+    #[inline(always)]
+    fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
+        Self(self.0.select_lt(other.0, yes.0, no.0), self.1.select_lt(other.1, yes.1, no.1))
+    }
+    #[inline(always)]
+    fn any_above(self, bound: S::Constant) -> bool {
+        self.0.any_above(bound) || self.1.any_above(bound)
+    }
+}
+
 impl<const N: usize, T: Real> Wide for Array<N, T> {
     const WIDTH: usize = N;
     #[inline(always)]
@@ -200,6 +283,24 @@ impl<const N: usize, T: Real> Wide for Array<N, T> {
     #[inline(always)]
     fn to_slice(self, out: &mut [T]) {
         out[..N].copy_from_slice(&self.0);
+    }
+    fn gather(from: &[T], at: &[usize; MOST_LANES]) -> [Self; 4] {
+        let mut out = [Self::ZERO; 4];
+        for (k, out) in out.iter_mut().enumerate() {
+            for l in 0..N {
+                out.0[l] = from[at[l] + k];
+            }
+        }
+        out
+    }
+    fn turn(x: &[Self], at: &[usize; MOST_LANES], first: usize) -> [Self; 4] {
+        let mut out = [Self::ZERO; 4];
+        for (k, out) in out.iter_mut().enumerate() {
+            for j in 0..N {
+                out.0[j] = x[at[j]].0[(first + k) % N];
+            }
+        }
+        out
     }
 }
 

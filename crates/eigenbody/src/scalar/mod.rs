@@ -14,7 +14,8 @@ mod simd;
 mod trig;
 
 pub use dd::Dd;
-pub use lanes::{Array, LANES, Lane, Wide};
+pub(crate) use lanes::Two;
+pub use lanes::{Array, LANES, Lane, MOST_LANES, Wide};
 pub use simd::{Algorithm, Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one};
 pub use trig::Trig;
 pub(crate) use trig::sin_cos_all;

@@ -187,6 +187,12 @@ impl<T: Scalar, R: Rotation<T>> Placed<T, R> {
         ArticulatedInertia { I: E.congruence(A.I), H: E.similarity(A.H), M: E.congruence(A.M) }
             .shifted(self.r)
     }
+
+    /// Xᵀ IA X and Xᵀ f.
+    #[inline(always)]
+    pub fn transpose_both(self, A: ArticulatedInertia<T>, f: Force<T>) -> (ArticulatedInertia<T>, Force<T>) {
+        (self.transpose_articulated(A), self.transpose_force(f))
+    }
 }
 
 impl<S: Scalar> Placed<S, Mat3<S>> {

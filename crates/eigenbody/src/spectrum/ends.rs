@@ -49,12 +49,6 @@ impl<T: Scalar> EndsWorkspace<T> {
             e2: vec![T::ZERO; n],
         }
     }
-
-    /// Row i of the matrix, to be written; at least n long.
-    #[inline(always)]
-    pub(crate) fn row_mut(&mut self, i: usize) -> &mut [T] {
-        &mut self.A[i * self.stride..(i + 1) * self.stride]
-    }
 }
 
 /// λmin and λmax of H x = λ B x, without the other eigenvalues.
@@ -132,7 +126,7 @@ impl<T: Real> Algorithm<T> for Ends<'_, T> {
 
 /// λmin and λmax of the matrix in the workspace, of one row at least.
 #[inline(always)]
-pub(crate) fn ends<S: Scalar>(workspace: &mut EndsWorkspace<S::Stored>) -> [S; 2] {
+fn ends<S: Scalar>(workspace: &mut EndsWorkspace<S::Stored>) -> [S; 2] {
     let largest = reduce::<S>(workspace);
     let EndsWorkspace { n, d, e2, .. } = workspace;
     laguerre::<S>(*n, d, e2, largest)

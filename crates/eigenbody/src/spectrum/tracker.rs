@@ -1,9 +1,9 @@
 //! Both ends of the spectrum along a motion, side by side, at about one factorisation and one solve a step.
 //!
 //! ```text
-//! σ ← λ extrapolated,  x ← mode extrapolated
+//! x ← mode extrapolated,  σ ← λ extrapolated or xᵀHx, the one nearer to its end: xᵀHx lies inside of the spectrum
 //! repeat:   y = (H − σB)⁻¹ B x      c = ŷᵀBx,  ŷ = y/|y|_B
-//!           λ = σ + c/|y|           residual |(H − λB)ŷ| = √(1 − c²)/|y|
+//!           λ = ŷᵀHŷ, twice the kinetic energy     residual |(H − λB)ŷ| = √(1 − c²)/|y|
 //!           x ← ŷ,  σ ← λ           until the residual is small
 //! ```
 //! Rayleigh-quotient iteration converges to an eigenvalue, not to a given one. Which one it is, the same factorisation tells at no
@@ -23,12 +23,13 @@ use crate::error::InputError;
 use crate::model::Model;
 use crate::scalar::{Array, Scalar};
 
-/// Residual, against the eigenvalue, at which iteration stops. The value's error is at most that, and its square over the gap.
+/// Error of the value, against itself, at which iteration stops.
+///
+/// Where σ stands between the end and all other eigenvalues, a round turns every other mode's part m_j of x about: to −m_j (λ − σ)/(σ − λ_j). So
+/// what is left of them is less than what x turned by, sin θ = √(1 − c²), and the value's error Σ m_j²|λ_j − λ| at most sin θ times the residual.
+const ERROR: f64 = 3e-13;
+/// Residual, against the eigenvalue, at which iteration stops where nothing is known of σ's place.
 const RESIDUAL: f64 = 1e-12;
-/// The same where the mode hardly turned in the last round (sin² of the angle): its part of other modes, and with it the value's error,
-/// is then small whatever the gap.
-const RESIDUAL_OF_STEADY: f64 = 1e-10;
-const STEADY: f64 = 1e-8;
 /// Rounds before an end is given up and found again.
 const ROUNDS: usize = 6;
 /// How close to its end of the spectrum a value is certified to be, where eigenvalues lie together.
@@ -86,9 +87,9 @@ pub struct Tracker<'m> {
     /// What inverse iteration starts from where nothing is known.
     start: Vec<f64>,
     factors: Factors<Array<2>>,
-    /// Both modes: the last ones, the ones before, and those that are being iterated.
+    /// Both modes: the last ones, the two before, and those that are being iterated.
     x: Vec<Array<2>>,
-    before: Vec<Array<2>>,
+    before: Vec<[Array<2>; 2]>,
     y: Vec<Array<2>>,
     /// One mode, while an end is found again.
     x_lane: Vec<f64>,
@@ -101,7 +102,7 @@ struct End {
     /// Its place in the spectrum.
     index: usize,
     /// The last values, the latest first; as many as `known` count.
-    values: [f64; 3],
+    values: [f64; 4],
     known: usize,
     /// By how much, relative to the value, the last prediction missed it.
     missed: f64,
@@ -132,10 +133,11 @@ impl<'m> Tracker<'m> {
         let Some(last) = pencil.len().checked_sub(1) else {
             return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
         };
-        let end = |index| End { index, values: [0.0; 3], known: 0, missed: MARGIN.1 };
+        let end = |index| End { index, values: [0.0; 4], known: 0, missed: MARGIN.1 };
         let follows = matches!(metric, Metric::UnitDiagonal);
         let (factors, start) = (Factors::new(&pencil), start(pencil.metric()));
-        let [x, before, y] = [(); 3].map(|()| vec![Array::ZERO; nv]);
+        let [x, y] = [(); 2].map(|()| vec![Array::ZERO; nv]);
+        let before = vec![[Array::ZERO; 2]; nv];
         let ends = [end(0), end(last)];
         let mut tracker = Self {
             model,
@@ -180,6 +182,10 @@ impl<'m> Tracker<'m> {
         let mut found: [Option<Reading>; 2] = [None; 2];
         let mut lost = [false; 2];
         normalise(y, B);
+        factors.set_moving(pencil, y);
+        let inside = factors.energy(pencil, y).0;
+        shifts[0] = shifts[0].min(inside[0] * inwards(0, MARGIN.0));
+        shifts[1] = shifts[1].max(inside[1] * inwards(1, MARGIN.0));
         for round in 1..=ROUNDS {
             x.copy_from_slice(y);
             factors.factor(pencil, Array(shifts));
@@ -187,7 +193,9 @@ impl<'m> Tracker<'m> {
                 *y = Array([b; 2]) * x;
             }
             factors.solve(pencil, y);
+            let energy = factors.energy(pencil, y);
             let growth = normalise(y, B);
+            let quotient = energy / (Array(growth) * Array(growth));
             let c = y.iter().zip(&*x).zip(B).fold(Array::ZERO, |c, ((&y, &x), &b)| c + y * x * Array([b; 2]));
             let sign = Array(c.0.map(f64::signum));
             y.iter_mut().for_each(|y| *y *= sign);
@@ -196,11 +204,10 @@ impl<'m> Tracker<'m> {
                 if found[k].is_some() || lost[k] {
                     continue;
                 }
-                let value = shifts[k] + c.0[k] / growth[k];
+                let value = quotient.0[k];
                 let turned = (1.0 - c.0[k] * c.0[k]).max(0.0);
                 let residual = turned.sqrt() / growth[k];
-                let enough = if turned <= STEADY { RESIDUAL_OF_STEADY } else { RESIDUAL };
-                if residual <= enough * value.abs() {
+                if turned / growth[k] <= ERROR * value.abs() {
                     lost[k] = !end.is_certain(k, value, shifts[k], factors.below.0[k] as usize);
                     found[k] = Some(Reading { value, residual, factorisations: round, restarted: false });
                 } else if value.is_finite() {
@@ -239,14 +246,16 @@ impl<'m> Tracker<'m> {
         [0, 1].map(|k| asked[k].is_some() && below[k] as usize == self.ends[k].index + k)
     }
 
-    /// The next values by extrapolation through up to three, and the next modes, into `y`, through two; the last modes are kept.
+    /// The next values and, into `y`, the next modes by extrapolation through as many of the last as are known; the last modes are kept.
     fn predict(&mut self) -> [f64; 2] {
         let Self { x, before, y, ends, .. } = self;
-        // x + forward (x − before)
-        let forward = Array([0, 1].map(|k| if ends[k].known > 1 { 1.0 } else { 0.0 }));
+        // x + first (x − b₁) + second (x − 2 b₁ + b₂)
+        let [first, second] =
+            [1, 2].map(|known| Array([0, 1].map(|k| f64::from(u8::from(ends[k].known > known)))));
         for ((y, &x), before) in y.iter_mut().zip(&*x).zip(before) {
-            *y = x + forward * (x - *before);
-            *before = x;
+            let step = x - before[0];
+            *y = x + first * step + second * (step - (before[0] - before[1]));
+            *before = [x, before[0]];
         }
         [0, 1].map(|k| ends[k].shift(k))
     }
@@ -273,7 +282,7 @@ impl<'m> Tracker<'m> {
         let (value, residual) = found.unwrap_or((0.0, 0.0));
         let Self { y, x, before, ends, .. } = self;
         for ((x, before), y) in x.iter_mut().zip(before).zip(&*y) {
-            (x.0[which], before.0[which]) = (y.0[which], y.0[which]);
+            (x.0[which], before[0].0[which]) = (y.0[which], y.0[which]);
         }
         ends[which].known = 0;
         ends[which].settle(value);
@@ -350,9 +359,10 @@ impl<'m> Tracker<'m> {
             x_lane.iter_mut().zip(&*y).for_each(|(x, y)| *x = y.0[which]);
             y.iter_mut().zip(B).for_each(|(y, &b)| *y *= Array([b; 2]));
             factors.solve(pencil, y);
+            let energy = factors.energy(pencil, y).0[which];
             let growth = normalise(y, B)[which];
             let c: f64 = sum(y.iter().zip(&*x_lane).zip(B), |((y, x), b)| y.0[which] * x * b) / before.sqrt();
-            let value = shift + c / growth;
+            let value = energy / (growth * growth);
             let residual = (1.0 - c * c).max(0.0).sqrt() / growth;
             if !value.is_finite() {
                 break;
@@ -449,18 +459,19 @@ impl End {
     }
 
     fn predict(&self) -> f64 {
-        let [a, b, c] = self.values;
+        let [a, b, c, d] = self.values;
         match self.known {
             0 | 1 => a,
             2 => 2.0 * a - b,
-            _ => 3.0 * (a - b) + c,
+            3 => 3.0 * (a - b) + c,
+            _ => 4.0 * (a + c) - 6.0 * b - d,
         }
     }
 
     fn settle(&mut self, value: f64) {
         let predicted = self.predict();
         self.missed = if self.known > 0 && value > 0.0 { (predicted / value - 1.0).abs() } else { MARGIN.1 };
-        self.values = [value, self.values[0], self.values[1]];
-        self.known = (self.known + 1).min(3);
+        self.values = [value, self.values[0], self.values[1], self.values[2]];
+        self.known = (self.known + 1).min(4);
     }
 }

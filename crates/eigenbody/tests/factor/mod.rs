@@ -1,4 +1,5 @@
 mod cholesky;
+pub mod coupled;
 mod ltdl;
 mod ltl;
 

@@ -56,8 +56,10 @@ pub enum MeshFault {
 
 /// Triangles.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Mesh {
+pub struct Mesh {
+    /// Corners (m).
     pub vertices: Vec<[f64; 3]>,
+    /// Three corners each, anticlockwise from outside.
     pub faces: Vec<[u32; 3]>,
 }
 

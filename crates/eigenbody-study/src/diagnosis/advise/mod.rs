@@ -22,7 +22,7 @@ use super::stepping::worst_step;
 use crate::StudyError;
 use eigenbody::search::{Domain, Effort, Measure, sample_points, survey};
 use eigenbody::stability::{Impedance, Integrator, Spring};
-use eigenbody::{Metric, Model, Question, Reduction, conditioning_at};
+use eigenbody::{InputError, Metric, Model, Question, Reduction, conditioning_at};
 use programme::Programme;
 use remedy::Remedy;
 
@@ -100,6 +100,40 @@ pub struct Remedies {
     pub links: Vec<LinkAdvice>,
     /// Single limits that do, the smallest loss first.
     pub limits: Vec<LimitAdvice>,
+}
+
+/// What is changed on a robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Change {
+    /// Armature on its joints.
+    #[default]
+    Armature,
+    /// Inertia of a single link.
+    Link,
+    /// The limits of a single joint.
+    Limit,
+}
+
+impl Remedies {
+    /// True if nothing does what is wanted.
+    pub fn is_empty(&self) -> bool {
+        self.armature.is_none() && self.links.is_empty() && self.limits.is_empty()
+    }
+
+    /// The robot with the smallest change of a kind; none if no such change does. Errors: none for the robot that was examined.
+    pub fn mend(&self, model: &Model<f64>, change: Change) -> Result<Option<Model<f64>>, InputError> {
+        let model = model.clone();
+        let mended = match change {
+            Change::Armature => {
+                self.armature.as_ref().map(|advice| model.with_armature(advice.armature.clone()))
+            }
+            Change::Link => self.links.first().map(|link| model.with_inertia(link.index, link.mended)),
+            Change::Limit => {
+                self.limits.first().map(|limit| model.with_limits(limit.index, Some(limit.kept)))
+            }
+        };
+        mended.transpose()
+    }
 }
 
 /// The least armature that fulfils a goal over the joint limits; none if no armature does.

@@ -1,6 +1,6 @@
 //! Registers of AVX2 and AVX-512, and the entry functions that are compiled for them.
 
-use super::super::lanes::{LANES, Lane, Wide, lane_operators};
+use super::super::lanes::{LANES, Lane, MOST_LANES, Two, Wide, lane_operators};
 use super::super::{Real, Scalar, only_itself};
 use super::{Algorithm, LaneAlgorithm, WideAlgorithm};
 use std::arch::x86_64::*;
@@ -47,6 +47,7 @@ macro_rules! register {
     ) => {
         #[doc = $what]
         #[derive(Debug, Clone, Copy)]
+        #[repr(transparent)]
         pub(in super::super) struct $Type($Register);
 
         impl $Type {
@@ -147,6 +148,20 @@ macro_rules! register {
             #[inline(always)]
             fn to_slice(self, out: &mut [$T]) {
                 out[..$N].copy_from_slice(&self.numbers());
+            }
+            #[inline(always)]
+            fn gather(from: &[$T], at: &[usize; MOST_LANES]) -> [Self; 4] {
+                Self::four(from, at)
+            }
+            #[inline(always)]
+            fn turn(x: &[Self], at: &[usize; MOST_LANES], first: usize) -> [Self; 4] {
+                // SAFETY: promise 2; a register of $N numbers is $N numbers in memory, without gaps.
+                let numbers = unsafe { std::slice::from_raw_parts(x.as_ptr().cast::<$T>(), $N * x.len()) };
+                let mut places = [0; MOST_LANES];
+                for j in 0..$N {
+                    places[j] = $N * at[j] + first;
+                }
+                Self::four(numbers, &places)
             }
         }
     };
@@ -249,6 +264,158 @@ register!(
     |x, y| _mm_movemask_ps(_mm_cmplt_ps(x, y)) != 0
 );
 
+/// Some numbers out of a slice, by value.
+macro_rules! numbers_at {
+    ($name:ident, $T:ident, $N:literal, $Register:ident) => {
+        #[inline(always)]
+        fn $name(from: &[$T], at: usize) -> $Register {
+            let mut numbers = [0.0; $N];
+            numbers.copy_from_slice(&from[at..at + $N]);
+            unsafe { transmute::<[$T; $N], $Register>(numbers) }
+        }
+    };
+}
+
+numbers_at!(two_f64, f64, 2, __m128d);
+numbers_at!(four_f64, f64, 4, __m256d);
+numbers_at!(four_f32, f32, 4, __m128);
+
+// Four columns of as many rows as there are lanes. Parts of rows go where the last exchanges, which stay within 128 bits where they can,
+// leave them in order.
+
+impl F64x8 {
+    #[inline(always)]
+    fn four(from: &[f64], at: &[usize; MOST_LANES]) -> [Self; 4] {
+        macro_rules! rows {
+            ($a:literal, $b:literal) => {
+                _mm512_insertf64x4::<1>(
+                    _mm512_castpd256_pd512(four_f64(from, at[$a])),
+                    four_f64(from, at[$b]),
+                )
+            };
+        }
+        unsafe {
+            let (a, b, c, d) = (rows!(0, 2), rows!(1, 3), rows!(4, 6), rows!(5, 7));
+            let (ab, cd) = (_mm512_unpacklo_pd(a, b), _mm512_unpacklo_pd(c, d));
+            let (ba, dc) = (_mm512_unpackhi_pd(a, b), _mm512_unpackhi_pd(c, d));
+            [
+                Self(_mm512_shuffle_f64x2::<0x88>(ab, cd)),
+                Self(_mm512_shuffle_f64x2::<0x88>(ba, dc)),
+                Self(_mm512_shuffle_f64x2::<0xdd>(ab, cd)),
+                Self(_mm512_shuffle_f64x2::<0xdd>(ba, dc)),
+            ]
+        }
+    }
+}
+
+impl F64x4 {
+    #[inline(always)]
+    fn four(from: &[f64], at: &[usize; MOST_LANES]) -> [Self; 4] {
+        macro_rules! rows {
+            ($a:literal, $b:literal, $k:literal) => {
+                _mm256_insertf128_pd::<1>(
+                    _mm256_castpd128_pd256(two_f64(from, at[$a] + $k)),
+                    two_f64(from, at[$b] + $k),
+                )
+            };
+        }
+        unsafe {
+            let (a, b, c, d) = (rows!(0, 2, 0), rows!(1, 3, 0), rows!(0, 2, 2), rows!(1, 3, 2));
+            [
+                Self(_mm256_unpacklo_pd(a, b)),
+                Self(_mm256_unpackhi_pd(a, b)),
+                Self(_mm256_unpacklo_pd(c, d)),
+                Self(_mm256_unpackhi_pd(c, d)),
+            ]
+        }
+    }
+}
+
+/// Four rows of four in every 128 bits, turned.
+macro_rules! turn_fours {
+    (
+        [$a:expr, $b:expr, $c:expr, $d:expr], $low:ident, $high:ident, $low_pair:ident, $high_pair:ident,
+        $pairs:ident, $numbers:ident
+    ) => {{
+        let (a, b, c, d) = ($a, $b, $c, $d);
+        let (ab, cd) = ($pairs($low(a, b)), $pairs($low(c, d)));
+        let (ba, dc) = ($pairs($high(a, b)), $pairs($high(c, d)));
+        [
+            Self($numbers($low_pair(ab, cd))),
+            Self($numbers($high_pair(ab, cd))),
+            Self($numbers($low_pair(ba, dc))),
+            Self($numbers($high_pair(ba, dc))),
+        ]
+    }};
+}
+
+impl F32x16 {
+    #[inline(always)]
+    fn four(from: &[f32], at: &[usize; MOST_LANES]) -> [Self; 4] {
+        macro_rules! rows {
+            ($l:literal) => {{
+                let x = _mm512_castps128_ps512(four_f32(from, at[$l]));
+                let x = _mm512_insertf32x4::<1>(x, four_f32(from, at[$l + 4]));
+                let x = _mm512_insertf32x4::<2>(x, four_f32(from, at[$l + 8]));
+                _mm512_insertf32x4::<3>(x, four_f32(from, at[$l + 12]))
+            }};
+        }
+        unsafe {
+            turn_fours!(
+                [rows!(0), rows!(1), rows!(2), rows!(3)],
+                _mm512_unpacklo_ps,
+                _mm512_unpackhi_ps,
+                _mm512_unpacklo_pd,
+                _mm512_unpackhi_pd,
+                _mm512_castps_pd,
+                _mm512_castpd_ps
+            )
+        }
+    }
+}
+
+impl F32x8 {
+    #[inline(always)]
+    fn four(from: &[f32], at: &[usize; MOST_LANES]) -> [Self; 4] {
+        macro_rules! rows {
+            ($l:literal) => {
+                _mm256_insertf128_ps::<1>(
+                    _mm256_castps128_ps256(four_f32(from, at[$l])),
+                    four_f32(from, at[$l + 4]),
+                )
+            };
+        }
+        unsafe {
+            turn_fours!(
+                [rows!(0), rows!(1), rows!(2), rows!(3)],
+                _mm256_unpacklo_ps,
+                _mm256_unpackhi_ps,
+                _mm256_unpacklo_pd,
+                _mm256_unpackhi_pd,
+                _mm256_castps_pd,
+                _mm256_castpd_ps
+            )
+        }
+    }
+}
+
+impl F32x4 {
+    #[inline(always)]
+    fn four(from: &[f32], at: &[usize; MOST_LANES]) -> [Self; 4] {
+        unsafe {
+            turn_fours!(
+                [four_f32(from, at[0]), four_f32(from, at[1]), four_f32(from, at[2]), four_f32(from, at[3])],
+                _mm_unpacklo_ps,
+                _mm_unpackhi_ps,
+                _mm_unpacklo_pd,
+                _mm_unpackhi_pd,
+                _mm_castps_pd,
+                _mm_castpd_ps
+            )
+        }
+    }
+}
+
 impl Lane for F64x8 {
     #[inline(always)]
     fn from_array(x: [f64; LANES]) -> Self {
@@ -289,85 +456,12 @@ impl F64x4 {
 }
 
 /// Eight f64 in two registers.
-#[derive(Debug, Clone, Copy)]
-struct Pair(F64x4, F64x4);
-
-impl Pair {
-    #[inline(always)]
-    fn plus(self, b: Self) -> Self {
-        Self(self.0 + b.0, self.1 + b.1)
-    }
-    #[inline(always)]
-    fn minus(self, b: Self) -> Self {
-        Self(self.0 - b.0, self.1 - b.1)
-    }
-    #[inline(always)]
-    fn times(self, b: Self) -> Self {
-        Self(self.0 * b.0, self.1 * b.1)
-    }
-    #[inline(always)]
-    fn over(self, b: Self) -> Self {
-        Self(self.0 / b.0, self.1 / b.1)
-    }
-    #[inline(always)]
-    fn negated(self) -> Self {
-        Self(-self.0, -self.1)
-    }
-}
-
-lane_operators!(Pair);
-
-impl Scalar for Pair {
-    type Constant = f64;
-    #[inline(always)]
-    fn constant(c: f64) -> Self {
-        Self(F64x4::constant(c), F64x4::constant(c))
-    }
-    only_itself!();
-    const ZERO: Self = Self(F64x4::ZERO, F64x4::ZERO);
-    const ONE: Self = Self(F64x4::ONE, F64x4::ONE);
-    #[inline(always)]
-    fn from_f64(x: f64) -> Self {
-        Self::constant(x)
-    }
-    #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(self.0.mul_add(a.0, b.0), self.1.mul_add(a.1, b.1))
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt(), self.1.sqrt())
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        let ((s0, c0), (s1, c1)) = (self.0.sin_cos(), self.1.sin_cos());
-        (Self(s0, s1), Self(c0, c1))
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.abs(), self.1.abs())
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Self(self.0.min(other.0), self.1.min(other.1))
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self(self.0.max(other.0), self.1.max(other.1))
-    }
-    #[inline(always)]
-    fn select_lt(self, other: Self, yes: Self, no: Self) -> Self {
-        Self(self.0.select_lt(other.0, yes.0, no.0), self.1.select_lt(other.1, yes.1, no.1))
-    }
-    #[inline(always)]
-    fn any_above(self, bound: f64) -> bool {
-        self.0.any_above(bound) || self.1.any_above(bound)
-    }
-}
+type Pair = Two<F64x4>;
 
 impl Lane for Pair {
     #[inline(always)]
     fn from_array(x: [f64; LANES]) -> Self {
-        Self(F64x4::from_slice(&x), F64x4::from_slice(&x[4..]))
+        Two(F64x4::from_slice(&x), F64x4::from_slice(&x[4..]))
     }
     #[inline(always)]
     fn to_array(self) -> [f64; LANES] {
@@ -379,6 +473,6 @@ impl Lane for Pair {
     #[inline(always)]
     fn split_exponent(self) -> (Self, Self) {
         let ((m0, e0), (m1, e1)) = (self.0.split_exponent(), self.1.split_exponent());
-        (Self(m0, m1), Self(e0, e1))
+        (Two(m0, m1), Two(e0, e1))
     }
 }

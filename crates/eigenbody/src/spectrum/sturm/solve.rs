@@ -70,6 +70,27 @@ impl<T: Scalar> Factors<T> {
         }
     }
 
+    /// Sets the bodies in motion with the rates x.
+    pub fn set_moving(&mut self, pencil: &Pencil<T::Constant>, x: &[T]) {
+        let Pencil { nodes, S, .. } = pencil;
+        for (i, node) in nodes.iter().enumerate() {
+            let X_up = node.X_up.map(T::constant);
+            let mut a_i = node.parent().map_or(Motion::ZERO, |parent| X_up.motion(self.a[parent]));
+            for (d, &column) in node.dofs().zip(node.columns) {
+                a_i = column.moved(a_i, S[d].map(T::constant), x[d]);
+            }
+            self.a[i] = a_i;
+        }
+    }
+
+    /// xᵀHx of the last solution: twice its kinetic energy. A sum of squares, so that what the factors lost to cancellation is not in it.
+    pub fn energy(&self, pencil: &Pencil<T::Constant>, x: &[T]) -> T {
+        let bodies = pencil.nodes.iter().zip(&self.a);
+        let bodies = bodies.fold(T::ZERO, |sum, (node, &a)| sum + a.dot(node.I.map(T::constant).times(a)));
+        let rotors = pencil.armature.iter().zip(x);
+        rotors.fold(bodies, |sum, (&armature, &x)| sum + T::constant(armature) * x * x)
+    }
+
     /// Scales what [`motions`](Self::motions) tells.
     pub fn scale_motions(&mut self, s: T) {
         self.a.iter_mut().for_each(|a| *a = *a * s);
