@@ -319,7 +319,7 @@ test("a model that the server has let go comes back by itself", async () => {
   await page.evaluate(async () => {
     const token = document.querySelector<HTMLMetaElement>('meta[name="eigenbody-token"]')!.content;
     const headers = { "X-Eigenbody-Token": token, "Content-Type": "application/json" };
-    for (let k = 0; k < 80; k++) {
+    for (let k = 0; k < 140; k++) {
       await fetch("/api/model", { method: "POST", headers, body: JSON.stringify({ source: { family: `hydra(${k + 2},1,0,1)` } }) });
     }
   });

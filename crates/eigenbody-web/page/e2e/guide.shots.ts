@@ -1,12 +1,12 @@
 /** The pictures of the guide: docs/guide/src/images. `SHOTS` names another folder. */
 
-import { mkdirSync, mkdtempSync, readFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, test } from "vitest";
-import { drop, FIXTURES, g1, NARROW, said, Server, Session, settled, WIDE } from "./harness";
+import { drop, FIXTURES, g1, NARROW, saidIn, Server, Session, settled, WIDE } from "./harness";
 
 const folder = process.env["SHOTS"] ?? resolve(import.meta.dirname, "../../../../docs/guide/src/images");
 
@@ -60,8 +60,10 @@ test("fault", () => shoot("explorer-fault", "tab=file", async (page) => {
 }));
 
 test("report", async () => {
-  const file = join(mkdtempSync(join(tmpdir(), "eigenbody-shots-")), "g1.html");
-  said("report", g1(), "-o", file);
+  const place = mkdtempSync(join(tmpdir(), "eigenbody-shots-"));
+  copyFileSync(g1(), join(place, "g1.urdf"));
+  saidIn(place, "report", "g1.urdf", "-o", "g1.html");
+  const file = join(place, "g1.html");
   const session = await Session.start(pathToFileURL(file).href);
   try {
     const page = await session.page();
