@@ -14,6 +14,8 @@ interface Row {
   slider: HTMLInputElement;
   box: HTMLInputElement;
   parts: HTMLElement[];
+  /** The number that it shows. */
+  at: number;
 }
 
 export function joints(explorer: Explorer): HTMLElement {
@@ -44,8 +46,11 @@ export function joints(explorer: Explorer): HTMLElement {
   const update = () => {
     const q = explorer.q;
     const placed = explorer.evaluation?.q ?? q;
-    for (const { handle, slider, box } of rows) {
+    for (const row of rows) {
+      const { handle, slider, box } = row;
       const x = handle.get(slider.disabled ? placed : q);
+      if (Object.is(x, row.at)) continue;
+      row.at = x;
       // What is being typed is not written over.
       if (document.activeElement !== box) box.value = shown(x, 5);
       slider.value = String(x);
@@ -98,5 +103,5 @@ function row(handle: Handle, explorer: Explorer): Row {
   });
   const title = follows === null ? handle.label : `${handle.label}, follows ${follows}`;
   const label = h("label", { for: id, title }, handle.label);
-  return { handle, label, slider, box, parts: [label, slider, box, h("span", { class: "unit" }, handle.unit)] };
+  return { handle, label, slider, box, parts: [label, slider, box, h("span", { class: "unit" }, handle.unit)], at: Number.NaN };
 }

@@ -1,6 +1,6 @@
 /** κ, κ′, λmin, λmax: always in sight. */
 
-import { h } from "../dom";
+import { h, write } from "../dom";
 import type { Explorer } from "../explorer";
 import { estimate, shown } from "../math/number";
 
@@ -23,10 +23,10 @@ export function readings(explorer: Explorer): HTMLElement {
   const high = cell("lambda_max", "λmax", "largest eigenvalue");
   const note = h("p", { class: "block small", hidden: true });
   const put = (place: typeof kappa, x: number | null | undefined, nothing: string, unit = "", more = "") => {
-    place.value.textContent = x === null || x === undefined ? nothing : shown(x);
-    place.unit.textContent = unit ? ` (${unit})` : "";
+    write(place.value, x === null || x === undefined ? nothing : shown(x));
+    write(place.unit, unit ? ` (${unit})` : "");
     place.value.setAttribute("value", x === null || x === undefined ? "" : String(x));
-    place.more.textContent = more;
+    write(place.more, more);
   };
   const update = () => {
     const { evaluation } = explorer;

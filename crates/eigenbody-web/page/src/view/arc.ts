@@ -7,8 +7,8 @@ const SWEEP = 1.4 * Math.PI;
 
 /** A right-handed turn about z, radius 1. */
 export function turnGeometry(): BufferGeometry {
-  const arc = new TorusGeometry(1, 0.055, 5, 28, SWEEP);
-  const head = new ConeGeometry(0.17, 0.42, 10);
+  const arc = new TorusGeometry(1, 0.055, 4, 24, SWEEP);
+  const head = new ConeGeometry(0.17, 0.42, 8);
   head.translate(0, 0.16, 0).applyMatrix4(new Matrix4().makeRotationZ(SWEEP)).translate(Math.cos(SWEEP), Math.sin(SWEEP), 0);
   return merged([arc, head]);
 }

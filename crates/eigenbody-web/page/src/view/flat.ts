@@ -48,7 +48,8 @@ class FlatPainter implements Painter {
 
   resize(width: number, height: number): void {
     const ratio = Math.min(2, devicePixelRatio);
-    [this.canvas.width, this.canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (this.canvas.width !== w || this.canvas.height !== h) [this.canvas.width, this.canvas.height] = [w, h];
   }
 
   paint(picture: Picture): void {

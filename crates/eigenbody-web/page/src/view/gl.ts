@@ -17,11 +17,11 @@ const THINNEST = 1.5e-3;
 
 /** None if the browser has no WebGL. */
 export function glPainter(canvas: HTMLCanvasElement): Painter | null {
-  try {
-    return new GlPainter(canvas);
-  } catch {
-    return null;
-  }
+  const wanted = { alpha: true, depth: true, stencil: false };
+  const fast = canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true });
+  // Without a graphics processor edges are smoothed only where nothing moves.
+  const context = fast ?? canvas.getContext("webgl2", { ...wanted, antialias: false });
+  return context && new GlPainter(canvas, context, fast !== null);
 }
 
 class GlPainter implements Painter {
@@ -42,10 +42,14 @@ class GlPainter implements Painter {
   private floor: GridHelper | null = null;
   private floorOf = "";
   private last: Picture | null = null;
+  private size = "";
 
-  constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    context: WebGL2RenderingContext,
+    private readonly fast: boolean,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.scene.add(new AmbientLight(0xffffff, 1.3), this.sun, this.sun.target, this.robot);
   }
 
@@ -63,7 +67,7 @@ class GlPainter implements Painter {
     }
     const white = () => new MeshLambertMaterial({ color: 0xffffff });
     this.boxes = this.instanced(new BoxGeometry(1, 1, 1), white(), n);
-    const rod = new CylinderGeometry(1, 1, 1, 6, 1, true).rotateX(Math.PI / 2);
+    const rod = new CylinderGeometry(1, 1, 1, 4, 1, true).rotateX(Math.PI / 2);
     this.axes = this.instanced(rod, white(), Math.max(1, model.dofs.length));
     const over = new MeshBasicMaterial({ color: 0xffffff, depthTest: false, transparent: true, opacity: 0.9 });
     this.centres = this.instanced(new SphereGeometry(1, 14, 10), over, n);
@@ -78,7 +82,13 @@ class GlPainter implements Painter {
     this.shapes.forEach((group) => this.robot.add(group));
   }
 
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, fine: boolean): void {
+    const ratio = this.fast ? Math.min(2, devicePixelRatio) : fine ? 2 : 1;
+    // Even the same size would make a new buffer.
+    const size = `${width} ${height} ${ratio}`;
+    if (size === this.size) return;
+    this.size = size;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
   }
 

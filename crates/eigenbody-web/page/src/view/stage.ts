@@ -16,6 +16,9 @@ import { Swing } from "./swing";
 
 const KEYS: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
 
+/** How long nothing must move before edges are smoothed (ms). */
+const REST = 200;
+
 export class Stage {
   readonly element: HTMLElement;
   /** What a reader must know about the painter, if anything. */
@@ -28,6 +31,7 @@ export class Stage {
   private axes: Axis[] = [];
   private framed: string | null = null;
   private due = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
   private before = 0;
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private grabbed: { hit: Hit; joint: number; local: [number, number, number] } | null = null;
@@ -60,13 +64,15 @@ export class Stage {
     });
   }
 
-  /** Draws before the next frame is shown. */
+  /** Draws before the next frame is shown, and once more, finely, when nothing has moved for a while. */
   draw(): void {
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => requestAnimationFrame((now) => this.frame(now, true)), REST);
     if (this.due) return;
     this.due = true;
     requestAnimationFrame((now) => {
       this.due = false;
-      this.frame(now);
+      this.frame(now, false);
     });
   }
 
@@ -98,7 +104,7 @@ export class Stage {
     this.explorer.update({ eye: { ...state.eye, distance: 0, target: [0, 0, 0] } }, "view");
   }
 
-  private frame(now: number): void {
+  private frame(now: number, fine: boolean): void {
     const { model, evaluation, state, hovered } = this.explorer;
     const { clientWidth: width, clientHeight: height } = this.element;
     if (!model || !evaluation?.places || width === 0 || height === 0) return;
@@ -107,7 +113,7 @@ export class Stage {
     this.before = now;
     const places: readonly Pose[] = this.swing.places() ?? evaluation.places;
     if (places.length !== model.bodies.length) return;
-    this.painter.resize(width, height);
+    this.painter.resize(width, height, fine);
     this.eye.state = state.eye;
     this.eye.place(width / height);
     const axes = inWorld(model, this.axes, places);
