@@ -4,6 +4,7 @@ import type { Pose } from "../api/types";
 import { h } from "../dom";
 import type { Explorer } from "../explorer";
 import { turnedTo } from "../panels/coordinates";
+import { rounded } from "../state/state";
 import { calm, onThemeChange, theme, type Theme } from "../theme";
 import { holder, onScreen, stepFor, within } from "./drag";
 import { Eye } from "./eye";
@@ -150,7 +151,7 @@ export class Stage {
   }
 
   private look(eye: typeof this.eye.state): void {
-    this.explorer.update({ eye }, "view");
+    this.explorer.update({ eye: rounded(eye) }, "view");
   }
 
   private place(event: PointerEvent): { x: number; y: number } {
