@@ -2,6 +2,7 @@
 
 mod bench;
 mod conformance;
+mod explorer;
 mod layers;
 mod newton;
 mod oracle;
@@ -40,6 +41,12 @@ const TASKS: [Task; 16] = [
         run: conformance::check,
     },
     Task { name: "python", about: "the Python package: wheel, tests, types", run: python::test },
+    Task {
+        name: "explorer",
+        about: "the explorer and the report in a real browser; the page's own tests",
+        run: explorer::test,
+    },
+    Task { name: "pictures", about: "the pictures of docs/guide/src/explorer.md", run: explorer::pictures },
     Task {
         name: "survey",
         about: "docs/survey.md: `eigenbody check` on published robots",

@@ -5,7 +5,7 @@
 
 use crate::program::{cargo, run};
 use crate::steps::{self, Step};
-use crate::{Outcome, conformance, layers, oracle, python};
+use crate::{Outcome, conformance, explorer, layers, oracle, python};
 
 const CHECKS: [Step; 4] = [
     Step { name: "fmt", needs: None, run: fmt },
@@ -14,11 +14,12 @@ const CHECKS: [Step; 4] = [
     Step { name: "doc", needs: None, run: doc },
 ];
 
-const TESTS: [Step; 4] = [
+const TESTS: [Step; 5] = [
     Step { name: "cargo test", needs: None, run: cargo_test },
     Step { name: "oracle", needs: None, run: oracle::prepare },
     Step { name: "conformance", needs: Some("oracle"), run: conformance::check },
     Step { name: "python", needs: Some("oracle"), run: python::test },
+    Step { name: "explorer", needs: Some("oracle"), run: explorer::test },
 ];
 
 /// Every test there is.

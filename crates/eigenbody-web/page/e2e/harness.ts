@@ -6,6 +6,7 @@
  * | `EIGENBODY` | the command; else `target/release/eigenbody` |
  * | `CHROMIUM` | the browser; else the first of the usual names on the path |
  * | `G1` | the URDF file of Unitree's G1 |
+ * | `LIVE` | if set, the page's files come from dist/, not from the command: no build of the command while the page is written |
  */
 
 import { execFileSync, spawn, type ChildProcess } from "node:child_process";
@@ -40,7 +41,12 @@ function browser(): string {
 
 /** What a call of the command prints. */
 export function said(...words: string[]): string {
-  return execFileSync(command(), words, { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
+  return saidIn(undefined, ...words);
+}
+
+/** The same in a folder: files are then named as people name them. */
+export function saidIn(cwd: string | undefined, ...words: string[]): string {
+  return execFileSync(command(), words, { cwd, encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
 }
 
 /** A call whose status 1 (findings) is no failure. */
@@ -74,8 +80,8 @@ export class Server {
 const ARGUMENTS = [
   "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
 ];
-/** WebGL by the processor: the same everywhere. */
-const SOFTWARE = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+/** WebGL by the processor, the same everywhere; the rest of the page as on any machine without a graphics processor. */
+const SOFTWARE = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-rasterization", "--disable-gpu-compositing"];
 export const NO_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 
 export const WIDE = { width: 1280, height: 800 };
@@ -97,12 +103,17 @@ export class Session {
     const context = await chromium.launchPersistentContext(folder, {
       executablePath: browser(), headless: true, args: [...ARGUMENTS, ...graphics], viewport: WIDE, acceptDownloads: true, ...options,
     });
+    if (process.env["LIVE"]) {
+      await context.route("**/assets/*", (route) => route.fulfill({ path: join(PAGE, "dist/assets", new URL(route.request().url()).pathname.split("/").at(-1)!) }));
+    }
     return new Session(folder, context, home);
   }
 
   async page(hash = ""): Promise<Page> {
     const page = await this.context.newPage();
-    page.on("console", (message) => ["error", "warning"].includes(message.type()) && this.complaints.push(message.text()));
+    // Without a graphics processor the driver remarks on how slow it is.
+    const remark = /GL Driver Message \(OpenGL, Performance/;
+    page.on("console", (message) => ["error", "warning"].includes(message.type()) && !remark.test(message.text()) && this.complaints.push(message.text()));
     page.on("pageerror", (error) => this.complaints.push(String(error)));
     page.on("request", (request) => {
       const { protocol, origin } = new URL(request.url());
@@ -146,9 +157,9 @@ export function coordinates(page: Page): number[] {
   return (q ?? "").split(",").filter(Boolean).map(Number);
 }
 
-/** What `eigenbody spectrum` says. */
+/** What `eigenbody spectrum` says; where an address has no coordinates, the robot is where it was at first. */
 export function spectrum(model: string, q: readonly number[], ...more: string[]): Record<Reading, number> & { softest: { share: number[] } } {
-  return JSON.parse(said("spectrum", model, "--at", `q=[${q.join(",")}]`, "--json", ...more)) as never;
+  return JSON.parse(said("spectrum", model, "--at", q.length > 0 ? `q=[${q.join(",")}]` : "zero", "--json", ...more)) as never;
 }
 
 /** A file dropped on the page, as a file manager does it. */

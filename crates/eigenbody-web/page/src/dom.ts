@@ -31,6 +31,11 @@ export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: At
   return dress(document.createElementNS(SVG, tag) as SVGElementTagNameMap[K], attributes, children);
 }
 
+/** Puts words in an element that does not have them already: what stays is not laid out anew. */
+export function write(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 /** A button of words. */
 export function button(label: string, press: () => void, attributes: Attributes = {}): HTMLButtonElement {
   return h("button", { type: "button", ...attributes, on: { click: press } }, label);

@@ -57,7 +57,7 @@ function build(explorer: Explorer): void {
     caption.hidden = joint === undefined;
     caption.textContent = joint ? `${joint.name}, ${joint.kind}` : "";
   });
-  stage.element.append(caption, h("div", { class: "corner" }, button("Fit", () => stage.fit(), { "aria-label": "Show the whole robot" })));
+  stage.element.append(caption, h("div", { class: "corner" }, button("Fit", () => stage.fit(), { "aria-label": "Fit the whole robot" })));
   let checked: CheckFinding[] = [];
   const findings = source(explorer, () => checked);
   const checking = check(explorer, (found) => {
@@ -66,13 +66,19 @@ function build(explorer: Explorer): void {
   });
   const left = h("section", { class: "left", "aria-label": "Robot" },
     ...(stage.notice ? [h("p", { class: "notice" }, stage.notice)] : []), stage.element, overlays(explorer, stage), posture(explorer), joints(explorer));
-  const right = h("section", { class: "right", tabindex: -1, "aria-label": "Conditioning" }, readings(explorer), tabs(explorer, {
+  const numbers = readings(explorer);
+  const right = h("section", { class: "right", tabindex: -1, "aria-label": "Conditioning" }, tabs(explorer, {
     analysis: [modes(explorer), metric(explorer), spectrum(explorer), matrix(explorer)],
     line: [line(explorer), map(explorer)],
     model: [models(explorer)],
     file: [findings.element, checking, edits(explorer)],
     figures: [figures(explorer)],
   }));
+  // The numbers stay in sight: above the robot where there is room for one column only.
+  const narrow = matchMedia("(max-width: 59.99rem)");
+  const settle = () => (narrow.matches ? left : right).prepend(numbers);
+  narrow.addEventListener("change", settle);
+  settle();
   // A link's hash is the state: this one only takes the focus along.
   const skip = button("To the numbers", () => right.focus(), { class: "skip" });
   document.body.append(skip, heading(explorer), problem(explorer), h("main", {}, left, right));

@@ -15,6 +15,8 @@ export interface Theme {
   sky: number;
   link: number;
   link2: number;
+  /** A link without a share. */
+  pale: number;
   lit: number;
   dark: boolean;
 }
@@ -37,6 +39,7 @@ export function theme(): Theme {
     sky: colour("sky"),
     link: colour("link"),
     link2: colour("link2"),
+    pale: colour("pale"),
     lit: colour("orange"),
     dark: matchMedia(DARK).matches,
   };

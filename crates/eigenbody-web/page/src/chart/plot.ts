@@ -19,6 +19,8 @@ export interface Curve {
   style: number;
   line: boolean;
   markers: boolean;
+  /** Curves of several kinds: dashes and filling tell the kind, colour and shape the rest. */
+  kind?: number;
 }
 
 export interface Drawing {
@@ -34,6 +36,11 @@ export interface Drawing {
 }
 
 const DASHES = ["", "9 4", "2 3", "9 3 2 3", "14 4", "5 3", "9 3 2 3 2 3"];
+
+function dashes({ style, kind }: { style: number; kind?: number | undefined }): string | null {
+  return DASHES[(kind ?? style) % DASHES.length] || null;
+}
+
 const MARGIN = { left: 58, right: 14, top: 10, bottom: 40 };
 
 export class Plot {
@@ -105,8 +112,9 @@ function grid(sx: Scale, sy: Scale, { left, right, top, bottom }: Record<"left" 
   return group;
 }
 
-function drawCurve({ points, style, line, markers }: Curve, k: number, sx: Scale, sy: Scale, log: boolean): SVGGElement {
-  const group = svg("g", { class: `curve c${style % 7}` });
+function drawCurve(curve: Curve, k: number, sx: Scale, sy: Scale, log: boolean): SVGGElement {
+  const { points, style, line, markers, kind } = curve;
+  const group = svg("g", { class: `curve c${style % 7}${kind === 0 ? " filled" : ""}` });
   const seen = points.filter((p): p is Point & { y: number } => p.y !== null && Number.isFinite(p.y) && (!log || p.y > 0));
   if (line) {
     let path = "";
@@ -116,7 +124,7 @@ function drawCurve({ points, style, line, markers }: Curve, k: number, sx: Scale
       if (drawn) path += `${broken ? "M" : "L"}${sx.at(p.x).toFixed(1)} ${sy.at(p.y!).toFixed(1)}`;
       broken = !drawn;
     }
-    group.append(svg("path", { d: path, "stroke-dasharray": DASHES[style % 7] || null }));
+    group.append(svg("path", { d: path, "stroke-dasharray": dashes(curve) }));
   }
   if (!markers) return group;
   seen.forEach((p, at) => {
@@ -196,12 +204,12 @@ function neighbour(all: SVGGElement[], at: number, turn: number): SVGGElement | 
 }
 
 /** The names of curves with their looks. */
-export function legend(curves: readonly { name: string; style: number; line: boolean; markers: boolean }[]): HTMLUListElement {
-  return h("ul", { class: "legend" }, ...curves.map(({ name, style, line, markers }) =>
+export function legend(curves: readonly Omit<Curve, "points">[]): HTMLUListElement {
+  return h("ul", { class: "legend" }, ...curves.map(({ name, style, line, markers, kind }) =>
     h("li", {},
       svg("svg", { width: 34, height: 14, viewBox: "0 0 34 14", "aria-hidden": "true", class: "plot-key" },
-        svg("g", { class: `curve c${style % 7}` },
-          line && svg("path", { d: "M1 7L33 7", "stroke-dasharray": DASHES[style % 7] || null }),
+        svg("g", { class: `curve c${style % 7}${kind === 0 ? " filled" : ""}` },
+          line && svg("path", { d: "M1 7L33 7", "stroke-dasharray": dashes({ style, kind }) }),
           markers && marker(style, 17, 7, 3.6))),
       name)));
 }

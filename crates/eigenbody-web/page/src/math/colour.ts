@@ -25,6 +25,12 @@ export function logPlace(x: number, low: number, high: number): number {
   return high > low ? Math.log(x / low) / Math.log(high / low) : 1;
 }
 
+/** A colour between two, `0xrrggbb`. */
+export function mixed(a: number, b: number, part: number): number {
+  const channel = (shift: number) => Math.round(((a >> shift) & 255) * (1 - part) + ((b >> shift) & 255) * part) << shift;
+  return channel(16) | channel(8) | channel(0);
+}
+
 /** `#rrggbb` or `#rgb` as a number. */
 export function hex(text: string): number {
   const digits = text.trim().replace("#", "");

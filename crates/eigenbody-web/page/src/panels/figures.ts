@@ -39,11 +39,12 @@ export function figures(explorer: Explorer): HTMLElement {
     if (!figure) return;
     title.textContent = figure.title;
     seen.textContent = `${figure.seen} ${figure.paper}`;
-    const curves: Curve[] = figure.curves.map(({ name, points }, style) => ({
-      name, style, line: true, markers: true,
+    const looks = curveLooks(figure.curves.map(({ name }) => name));
+    const curves: Curve[] = figure.curves.map(({ name, points }, k) => ({
+      name, ...looks[k]!, line: true, markers: true,
       points: points.map((point) => ({
         x: point.x, y: point.y, chosen: point === chosen,
-        ...(point.source ? { label: `${name}: ${figure.x.label} ${shown(point.x, 4)}, ${figure.y.label} ${shown(point.y, 4)}`, press: () => void go(point, name) } : {}),
+        ...(point.source ? { label: `${name}: ${figure.x.label} ${Number.isInteger(point.x) ? point.x : shown(point.x, 4)}, ${figure.y.label} ${shown(point.y, 4)}`, press: () => void go(point, name) } : {}),
       })),
     }));
     plot.show({ label: `${figure.id}: ${figure.title}`, x: figure.x, y: figure.y, curves, height: 340 });
@@ -53,7 +54,7 @@ export function figures(explorer: Explorer): HTMLElement {
     chosen = point;
     draw();
     const opened = await explorer.open(point.source, point.options, undefined, { config: point.at });
-    if (opened) status.textContent = `${curve}: ${explorer.model?.name ?? ""} at ${point.at}, drawn at ${shown(point.y)}.`;
+    if (opened) status.textContent = `${curve}: ${explorer.model?.name ?? ""} at ${withPi(point.at)}, drawn at ${shown(point.y)}.`;
   };
   const choose = select("Figure", all.map(({ id, title: words }) => ({ value: id, label: `${paper(id)}: ${words}` })), explorer.state.figure ?? all[0]?.id ?? "", (id) => {
     chosen = null;
@@ -61,6 +62,26 @@ export function figures(explorer: Explorer): HTMLElement {
   });
   explorer.on(["tab", "figure"], () => void load());
   return h("section", { class: "block", "aria-label": "Figures" }, h("h2", {}, "Figures of the papers, live"), choose, title, names, plot.element, status, seen);
+}
+
+/** Looks of curves named `kind, parameter`: colour and shape follow the parameter, dashes and filling the kind. */
+export function curveLooks(names: readonly string[]): { style: number; kind?: number }[] {
+  const parts = names.map((name) => name.split(", "));
+  if (!parts.every(({ length }) => length === 2)) return names.map((_, style) => ({ style }));
+  const [kinds, parameters] = [0, 1].map((at) => [...new Set(parts.map((part) => part[at]))]) as [string[], string[]];
+  return parts.map(([kind, parameter]) => ({ style: parameters.indexOf(parameter!), kind: kinds.indexOf(kind!) }));
+}
+
+/** Multiples of π as people write them: `curl(1.5707963267948966)` is `curl(π/2)`. */
+export function withPi(text: string): string {
+  return text.replace(/\d+\.\d{6,}/g, (digits) => {
+    const x = Number(digits);
+    for (let below = 1; below <= 16; below++) {
+      const above = Math.round((x / Math.PI) * below);
+      if (above > 0 && Math.abs((above * Math.PI) / below - x) < 4e-16 * x) return `${above === 1 ? "" : above}π${below === 1 ? "" : `/${below}`}`;
+    }
+    return digits;
+  });
 }
 
 /** `F-fig6` as people say it. */

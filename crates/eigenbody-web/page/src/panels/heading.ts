@@ -15,7 +15,7 @@ export function heading(explorer: Explorer): HTMLElement {
     if (!model) return;
     name.textContent = model.name;
     document.title = `${model.name} · eigenbody`;
-    const base = model.options.base === "floating" ? (model.options.reduced ? "free-floating" : "floating base") : "fixed base";
+    const base = model.options.base === "floating" ? (model.options.reduced || model.format === "family" ? "free-floating" : "floating base") : "fixed base";
     const changes = Object.keys(state.edits.armature).length + Object.keys(state.edits.mass).length;
     const bodies = model.bodies.length === 1 ? "1 moving body" : `${model.bodies.length} moving bodies`;
     const dofs = model.nv === 1 ? "1 degree of freedom" : `${model.nv} degrees of freedom`;

@@ -14,6 +14,8 @@ interface Row {
   slider: HTMLInputElement;
   box: HTMLInputElement;
   parts: HTMLElement[];
+  /** The number that it shows. */
+  at: number;
 }
 
 export function joints(explorer: Explorer): HTMLElement {
@@ -44,8 +46,11 @@ export function joints(explorer: Explorer): HTMLElement {
   const update = () => {
     const q = explorer.q;
     const placed = explorer.evaluation?.q ?? q;
-    for (const { handle, slider, box } of rows) {
+    for (const row of rows) {
+      const { handle, slider, box } = row;
       const x = handle.get(slider.disabled ? placed : q);
+      if (Object.is(x, row.at)) continue;
+      row.at = x;
       // What is being typed is not written over.
       if (document.activeElement !== box) box.value = shown(x, 5);
       slider.value = String(x);
@@ -53,10 +58,16 @@ export function joints(explorer: Explorer): HTMLElement {
     }
   };
   const light = () => rows.forEach(({ handle, label }) => label.classList.toggle("on", handle.joint === explorer.hovered));
+  let built = "";
   explorer.on("model", () => {
+    const joints = explorer.model?.joints ?? [];
+    // An edited robot has the same sliders: they stay, one may be under a finger.
+    const key = JSON.stringify(joints);
+    if (key === built) return update();
+    built = key;
     filter.value = "";
     limit = PAGE;
-    all = explorer.model?.joints.flatMap(handles) ?? [];
+    all = joints.flatMap(handles);
     build();
   });
   explorer.on(["posture", "evaluation"], update);
@@ -92,5 +103,5 @@ function row(handle: Handle, explorer: Explorer): Row {
   });
   const title = follows === null ? handle.label : `${handle.label}, follows ${follows}`;
   const label = h("label", { for: id, title }, handle.label);
-  return { handle, label, slider, box, parts: [label, slider, box, h("span", { class: "unit" }, handle.unit)] };
+  return { handle, label, slider, box, parts: [label, slider, box, h("span", { class: "unit" }, handle.unit)], at: Number.NaN };
 }

@@ -1,6 +1,6 @@
 /** The metric B of H x = λ B x. */
 
-import { fresh, h, select } from "../dom";
+import { fresh, h, select, write } from "../dom";
 import type { Explorer } from "../explorer";
 
 export function metric(explorer: Explorer): HTMLElement {
@@ -24,7 +24,7 @@ export function metric(explorer: Explorer): HTMLElement {
   explorer.on("evaluation", () => {
     const { evaluation } = explorer;
     const how = { dense: "dense eigensolver", sturm: "Sturm counts along the tree" }[evaluation?.method ?? ""] ?? "";
-    method.textContent = how ? `by ${how}` : "";
+    write(method, how ? `by ${how}` : "");
   });
   return h("div", { class: "block row" }, list, box, method);
 }

@@ -7,7 +7,7 @@
 
 import type { Edits, Options, Source } from "../api/types";
 import { pack, unpack } from "./pack";
-import { FIRST, OVERLAYS, TABS, type Overlay, type State, type Tab } from "./state";
+import { FIRST, OVERLAYS, rounded, TABS, type EyeState, type Overlay, type State, type Tab } from "./state";
 
 /** Longest packed file in a link (characters); browsers take links of about two million. */
 export const LONGEST_FILE = 64 * 1024;
@@ -44,8 +44,7 @@ export async function toLink(state: State): Promise<{ hash: string; whole: boole
   put("shapes", state.shapes ? null : "0");
   put("swing", state.swinging ? "1" : null);
   put("energy", state.sameEnergy ? "1" : null);
-  const { azimuth, elevation, distance, target } = state.eye;
-  put("eye", unless(eyeText([azimuth, elevation, distance, ...target]), eyeText([FIRST.eye.azimuth, FIRST.eye.elevation, FIRST.eye.distance, ...FIRST.eye.target])));
+  put("eye", unless(eyeText(state.eye), eyeText(FIRST.eye)));
   put("a", numbers(state.a));
   put("b", numbers(state.b));
   put("x", state.map?.[0] ?? null);
@@ -109,9 +108,9 @@ function numbers(values: readonly number[] | null): string | null {
   return values && values.map((x) => (Object.is(x, -0) ? "0" : String(x))).join(",");
 }
 
-/** Angles and lengths of a camera: five digits do. */
-function eyeText(values: readonly number[]): string {
-  return values.map((x) => String(Number(x.toPrecision(5)))).join(",");
+function eyeText(eye: EyeState): string {
+  const { azimuth, elevation, distance, target } = rounded(eye);
+  return [azimuth, elevation, distance, ...target].join(",");
 }
 
 function list(text: string | null): number[] | null {

@@ -18,6 +18,12 @@ export interface EyeState {
   target: [number, number, number];
 }
 
+/** As a link has it: five digits. What is seen is then what a link shows. */
+export function rounded({ azimuth, elevation, distance, target }: EyeState): EyeState {
+  const five = (x: number) => Number(x.toPrecision(5));
+  return { azimuth: five(azimuth), elevation: five(elevation), distance: five(distance), target: [five(target[0]), five(target[1]), five(target[2])] };
+}
+
 export interface State {
   /** What is shown; none is what the server was started with. */
   source: Source | null;

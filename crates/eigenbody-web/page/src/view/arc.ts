@@ -1,4 +1,4 @@
-/** An arc with a head: how a joint turns. */
+/** How joints are drawn: axes, an arc with a head for a turn, an arrow for a slide. */
 
 import { BufferGeometry, ConeGeometry, CylinderGeometry, Float32BufferAttribute, Matrix4, Quaternion, TorusGeometry, Vector3 } from "three";
 
@@ -7,8 +7,8 @@ const SWEEP = 1.4 * Math.PI;
 
 /** A right-handed turn about z, radius 1. */
 export function turnGeometry(): BufferGeometry {
-  const arc = new TorusGeometry(1, 0.055, 6, 36, SWEEP);
-  const head = new ConeGeometry(0.17, 0.42, 12);
+  const arc = new TorusGeometry(1, 0.055, 4, 24, SWEEP);
+  const head = new ConeGeometry(0.17, 0.42, 8);
   head.translate(0, 0.16, 0).applyMatrix4(new Matrix4().makeRotationZ(SWEEP)).translate(Math.cos(SWEEP), Math.sin(SWEEP), 0);
   return merged([arc, head]);
 }
@@ -46,4 +46,9 @@ function merged(parts: BufferGeometry[]): BufferGeometry {
   const whole = new BufferGeometry();
   whole.setAttribute("position", new Float32BufferAttribute(positions, 3));
   return whole.setAttribute("normal", new Float32BufferAttribute(normals, 3));
+}
+
+/** Axes get shorter where there are many; over the size of the robot. */
+export function axisLength(count: number): number {
+  return Math.min(0.42, Math.max(0.12, 1.1 / Math.sqrt(count)));
 }

@@ -37,9 +37,12 @@ export class Eye {
     for (const [k, body] of model.bodies.entries()) {
       const place = places[k];
       if (!place) continue;
-      const reach = body.box ? Math.hypot(...body.box.half) : 0;
-      box.union(new Box3().setFromCenterAndSize(placed(place, body.centre), new Vector3().setScalar(2 * reach)));
       box.expandByPoint(placed(place, [0, 0, 0]));
+      for (let corner = 0; body.box && corner < 8; corner++) {
+        const [x, y, z] = body.box.half;
+        const inBody = placed(body.box.pose, [corner & 1 ? x : -x, corner & 2 ? y : -y, corner & 4 ? z : -z]);
+        box.expandByPoint(placed(place, inBody.toArray()));
+      }
     }
     if (box.isEmpty()) box.expandByPoint(new Vector3());
     box.getBoundingSphere(this.fit);
@@ -65,9 +68,8 @@ export class Eye {
     this.camera.position.copy(target).addScaledVector(out, distance);
     this.camera.up.copy(this.up);
     this.camera.lookAt(target);
-    const reach = this.fit.radius + this.fit.center.distanceTo(target);
-    this.camera.near = Math.max(distance / 500, (distance - 4 * reach) / 2);
-    this.camera.far = distance + 8 * reach + 4 * this.extent;
+    this.camera.near = distance / 300;
+    this.camera.far = distance + target.length() + 6 * this.extent;
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
   }
@@ -101,8 +103,9 @@ export class Eye {
     return this.up;
   }
 
-  get radius(): number {
-    return this.fit.radius;
+  /** The robot's size (m). */
+  get size(): number {
+    return this.extent;
   }
 }
 

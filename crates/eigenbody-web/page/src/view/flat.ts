@@ -3,7 +3,7 @@
 import { Matrix4, Vector3 } from "three";
 import type { Description } from "../api/types";
 import { cssColour } from "../theme";
-import { arcPoints } from "./arc";
+import { arcPoints, axisLength } from "./arc";
 import { matrix, placed } from "./frames";
 import type { Hit, Painter } from "./painter";
 import type { Picture } from "./picture";
@@ -48,7 +48,8 @@ class FlatPainter implements Painter {
 
   resize(width: number, height: number): void {
     const ratio = Math.min(2, devicePixelRatio);
-    [this.canvas.width, this.canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (this.canvas.width !== w || this.canvas.height !== h) [this.canvas.width, this.canvas.height] = [w, h];
   }
 
   paint(picture: Picture): void {
@@ -72,7 +73,7 @@ class FlatPainter implements Painter {
     }
     if (overlays.has("axes")) {
       for (const { origin, direction, slides } of picture.axes) {
-        const ends = [-0.21, 0.21].map((part) => origin.clone().addScaledVector(direction, part * scale));
+        const ends = [-0.5, 0.5].map((part) => origin.clone().addScaledVector(direction, part * axisLength(picture.axes.length) * scale));
         this.segment(ends, slides ? theme.green : theme.ink, 2);
       }
     }

@@ -6,7 +6,7 @@ import {
   SphereGeometry, Vector2, Vector3, WebGLRenderer, type Object3D,
 } from "three";
 import type { Description } from "../api/types";
-import { along, slideGeometry, turnGeometry } from "./arc";
+import { along, axisLength, slideGeometry, turnGeometry } from "./arc";
 import { matrix, placed } from "./frames";
 import type { Hit, Painter } from "./painter";
 import type { Arrow, Picture } from "./picture";
@@ -17,11 +17,11 @@ const THINNEST = 1.5e-3;
 
 /** None if the browser has no WebGL. */
 export function glPainter(canvas: HTMLCanvasElement): Painter | null {
-  try {
-    return new GlPainter(canvas);
-  } catch {
-    return null;
-  }
+  const wanted = { alpha: true, depth: true, stencil: false };
+  const fast = canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true });
+  // Without a graphics processor edges are smoothed only where nothing moves.
+  const context = fast ?? canvas.getContext("webgl2", { ...wanted, antialias: false });
+  return context && new GlPainter(canvas, context, fast !== null);
 }
 
 class GlPainter implements Painter {
@@ -42,10 +42,14 @@ class GlPainter implements Painter {
   private floor: GridHelper | null = null;
   private floorOf = "";
   private last: Picture | null = null;
+  private size = "";
 
-  constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    context: WebGL2RenderingContext,
+    private readonly fast: boolean,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.scene.add(new AmbientLight(0xffffff, 1.3), this.sun, this.sun.target, this.robot);
   }
 
@@ -63,7 +67,7 @@ class GlPainter implements Painter {
     }
     const white = () => new MeshLambertMaterial({ color: 0xffffff });
     this.boxes = this.instanced(new BoxGeometry(1, 1, 1), white(), n);
-    const rod = new CylinderGeometry(1, 1, 1, 8).rotateX(Math.PI / 2);
+    const rod = new CylinderGeometry(1, 1, 1, 4, 1, true).rotateX(Math.PI / 2);
     this.axes = this.instanced(rod, white(), Math.max(1, model.dofs.length));
     const over = new MeshBasicMaterial({ color: 0xffffff, depthTest: false, transparent: true, opacity: 0.9 });
     this.centres = this.instanced(new SphereGeometry(1, 14, 10), over, n);
@@ -78,7 +82,13 @@ class GlPainter implements Painter {
     this.shapes.forEach((group) => this.robot.add(group));
   }
 
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, fine: boolean): void {
+    const ratio = this.fast ? Math.min(2, devicePixelRatio) : fine ? 2 : 1;
+    // Even the same size would make a new buffer.
+    const size = `${width} ${height} ${ratio}`;
+    if (size === this.size) return;
+    this.size = size;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
   }
 
@@ -101,8 +111,8 @@ class GlPainter implements Painter {
         group.matrixWorldNeedsUpdate = true;
         tint(group, picture.colours[k] ?? 0);
       }
-      // With visuals on, a body without any is its box, unless it has no mass to speak of.
-      const boxed = !shaped || (body.shapes.length === 0 && body.box !== null && !model.bodies.some((other) => other.shapes.length > 0));
+      // With visuals on, a body without any is its box.
+      const boxed = !shaped || body.shapes.length === 0;
       boxes.setMatrixAt(k, boxed ? at.multiply(this.local[k]!) : NOTHING);
       boxes.setColorAt(k, colour.setHex(picture.colours[k] ?? 0));
       shown += 1;
@@ -114,7 +124,7 @@ class GlPainter implements Painter {
     this.paintSkeleton(picture, model);
     this.paintArrows(picture);
     this.paintFloor(picture);
-    this.sun.position.copy(picture.camera.position).addScaledVector(picture.up, 0.6 * picture.camera.position.length() + picture.radius);
+    this.sun.position.copy(picture.camera.position).addScaledVector(picture.up, 0.6 * picture.camera.position.length() + picture.size);
     this.renderer.render(this.scene, picture.camera);
   }
 
@@ -131,7 +141,7 @@ class GlPainter implements Painter {
   private paintAxes({ axes, overlays, scale, theme }: Picture): void {
     const mesh = this.axes!;
     const shown = overlays.has("axes") ? axes.slice(0, mesh.instanceMatrix.count) : [];
-    const size = new Vector3(0.011 * scale, 0.011 * scale, 0.42 * scale);
+    const size = new Vector3(0.008 * scale, 0.008 * scale, axisLength(axes.length) * scale);
     shown.forEach(({ origin, direction, slides }, k) => {
       mesh.setMatrixAt(k, along(origin, direction, size));
       mesh.setColorAt(k, new Color(slides ? theme.green : theme.ink));
@@ -157,21 +167,16 @@ class GlPainter implements Painter {
     lines.visible = overlays.has("skeleton");
     if (!lines.visible) return;
     const ends = lines.geometry.getAttribute("position");
-    model.bodies.forEach(({ parent, centre }, k) => {
+    model.bodies.forEach(({ parent }, k) => {
       const [place, before] = [places[k], parent === null ? null : places[parent]];
       if (!place) return;
-      // From joint to joint; a body that carries nothing, to its centre of mass.
-      const leaf = !this.carries.has(k);
-      ends.setXYZ(2 * k, ...(before ? ([before[0], before[1], before[2]] as const) : ([place[0], place[1], place[2]] as const)));
+      // From the joint before; the first body's line begins and ends at its own.
+      const [x, y, z] = before ?? place;
+      ends.setXYZ(2 * k, x, y, z);
       ends.setXYZ(2 * k + 1, place[0], place[1], place[2]);
-      if (leaf && parent === null) ends.setXYZ(2 * k + 1, ...placed(place, centre).toArray());
     });
     ends.needsUpdate = true;
     (lines.material as LineBasicMaterial).color.setHex(theme.soft);
-  }
-
-  private get carries(): Set<number> {
-    return new Set(this.model?.bodies.flatMap(({ parent }) => (parent === null ? [] : [parent])));
   }
 
   private paintArrows({ arrows, overlays, scale, arrowColour }: Picture): void {
@@ -188,15 +193,15 @@ class GlPainter implements Painter {
     put(this.slides!, shown.filter(({ slides }) => slides), 0.2);
   }
 
-  private paintFloor({ overlays, up, radius, theme }: Picture): void {
-    const key = `${radius} ${up.toArray().join()} ${theme.faint}`;
+  private paintFloor({ overlays, up, size, theme }: Picture): void {
+    const key = `${size} ${up.toArray().join()} ${theme.faint}`;
     if (key !== this.floorOf) {
       if (this.floor) {
         this.scene.remove(this.floor);
         this.floor.dispose();
       }
-      const cell = 10 ** Math.round(Math.log10(radius / 2));
-      const cells = 2 * Math.ceil((1.6 * radius) / cell);
+      const cell = 10 ** Math.round(Math.log10(size / 3));
+      const cells = 2 * Math.ceil((1.1 * size) / cell);
       this.floor = new GridHelper(cells * cell, cells, theme.faint, theme.faint);
       this.floor.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), up));
       const [first] = this.last?.places ?? [];

@@ -13,7 +13,8 @@ export interface Painter {
   readonly canvas: HTMLCanvasElement;
   /** Forgets the robot before and prepares for this one. */
   load(model: Description): void;
-  resize(width: number, height: number): void;
+  /** In CSS pixels; `fine` while nothing moves. */
+  resize(width: number, height: number, fine: boolean): void;
   paint(picture: Picture): void;
   /** What is seen at a point of the canvas, −1 to 1, y up. */
   pick(x: number, y: number): Hit | null;

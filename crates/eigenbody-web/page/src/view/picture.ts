@@ -2,7 +2,7 @@
 
 import { Vector3, type PerspectiveCamera } from "three";
 import type { Description, Evaluation, Pose } from "../api/types";
-import { cividis } from "../math/colour";
+import { mixed } from "../math/colour";
 import type { Overlay, State } from "../state/state";
 import type { Theme } from "../theme";
 import { placed, turned, unturned, within } from "./frames";
@@ -31,16 +31,16 @@ export interface Picture {
   shapes: boolean;
   /** A length that looks right for axes and arrows (m). */
   scale: number;
-  /** Up, and where the floor is along it (m). */
   up: Vector3;
-  radius: number;
+  /** The robot's size (m). */
+  size: number;
   theme: Theme;
 }
 
 /** Arrows below this part of the largest are not drawn. */
 const FAINTEST = 0.03;
 /** Most arrows. */
-const ARROWS = 80;
+const ARROWS = 48;
 
 /** Axes of an evaluation as they stand in the frames of their bodies, to be carried along by a motion. */
 export function carried(model: Description, evaluation: Evaluation): Axis[] {
@@ -82,7 +82,11 @@ export function bodyShares(model: Description, evaluation: Evaluation, state: St
   return shares;
 }
 
-/** Colours of bodies: by share of a mode, or two tones in turn so that neighbours can be told apart. */
+export function modeColour(state: State, theme: Theme): number {
+  return state.mode === "softest" ? theme.blue : theme.vermilion;
+}
+
+/** Colours of bodies: from pale to the mode's colour by share, or two tones in turn so that neighbours can be told apart. */
 export function colours(model: Description, evaluation: Evaluation, state: State, theme: Theme, hovered: number | null): number[] {
   const lit = hovered === null ? -1 : (model.dofs[model.joints[hovered]?.dofs.at(-1) ?? -1]?.body ?? -1);
   const shares = state.colours ? bodyShares(model, evaluation, state) : null;
@@ -90,7 +94,6 @@ export function colours(model: Description, evaluation: Evaluation, state: State
   return model.bodies.map((_, k) => {
     if (k === lit) return theme.lit;
     if (!shares) return k % 2 === 0 ? theme.link : theme.link2;
-    const [r, g, b] = cividis(Math.sqrt((shares[k] ?? 0) / most));
-    return (r << 16) | (g << 8) | b;
+    return mixed(theme.pale, modeColour(state, theme), Math.sqrt((shares[k] ?? 0) / most));
   });
 }

@@ -4,6 +4,7 @@ import type { Pose } from "../api/types";
 import { h } from "../dom";
 import type { Explorer } from "../explorer";
 import { turnedTo } from "../panels/coordinates";
+import { rounded } from "../state/state";
 import { calm, onThemeChange, theme, type Theme } from "../theme";
 import { holder, onScreen, stepFor, within } from "./drag";
 import { Eye } from "./eye";
@@ -11,10 +12,13 @@ import { flatPainter } from "./flat";
 import { placed, within as inBody } from "./frames";
 import { glPainter } from "./gl";
 import type { Hit, Painter } from "./painter";
-import { arrows, carried, colours, inWorld, type Axis } from "./picture";
+import { arrows, carried, colours, inWorld, modeColour, type Axis } from "./picture";
 import { Swing } from "./swing";
 
 const KEYS: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+
+/** How long nothing must move before edges are smoothed (ms). */
+const REST = 200;
 
 export class Stage {
   readonly element: HTMLElement;
@@ -28,6 +32,7 @@ export class Stage {
   private axes: Axis[] = [];
   private framed: string | null = null;
   private due = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
   private before = 0;
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private grabbed: { hit: Hit; joint: number; local: [number, number, number] } | null = null;
@@ -60,13 +65,15 @@ export class Stage {
     });
   }
 
-  /** Draws before the next frame is shown. */
+  /** Draws before the next frame is shown, and once more, finely, when nothing has moved for a while. */
   draw(): void {
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => requestAnimationFrame((now) => this.frame(now, true)), REST);
     if (this.due) return;
     this.due = true;
     requestAnimationFrame((now) => {
       this.due = false;
-      this.frame(now);
+      this.frame(now, false);
     });
   }
 
@@ -98,7 +105,7 @@ export class Stage {
     this.explorer.update({ eye: { ...state.eye, distance: 0, target: [0, 0, 0] } }, "view");
   }
 
-  private frame(now: number): void {
+  private frame(now: number, fine: boolean): void {
     const { model, evaluation, state, hovered } = this.explorer;
     const { clientWidth: width, clientHeight: height } = this.element;
     if (!model || !evaluation?.places || width === 0 || height === 0) return;
@@ -107,7 +114,7 @@ export class Stage {
     this.before = now;
     const places: readonly Pose[] = this.swing.places() ?? evaluation.places;
     if (places.length !== model.bodies.length) return;
-    this.painter.resize(width, height);
+    this.painter.resize(width, height, fine);
     this.eye.state = state.eye;
     this.eye.place(width / height);
     const axes = inWorld(model, this.axes, places);
@@ -118,11 +125,11 @@ export class Stage {
       overlays: state.overlays,
       axes,
       arrows: state.overlays.has("arrows") ? arrows(model, evaluation, axes, state) : [],
-      arrowColour: state.mode === "softest" ? this.theme.blue : this.theme.vermilion,
+      arrowColour: modeColour(state, this.theme),
       shapes: state.shapes,
-      scale: Math.min(this.eye.radius, this.eye.distance / 3),
+      scale: Math.min(this.eye.size, this.eye.distance / 3.6),
       up: this.eye.upward,
-      radius: this.eye.radius,
+      size: this.eye.size,
       theme: this.theme,
     });
     if (playing) this.draw();
@@ -144,7 +151,7 @@ export class Stage {
   }
 
   private look(eye: typeof this.eye.state): void {
-    this.explorer.update({ eye }, "view");
+    this.explorer.update({ eye: rounded(eye) }, "view");
   }
 
   private place(event: PointerEvent): { x: number; y: number } {
@@ -213,7 +220,7 @@ export class Stage {
     const steps = joint.dofs.map((d) => {
       const rate = onScreen(axes[d]!, point, this.eye.camera);
       const along = Math.abs(rate.x * dx + rate.y * dy) / Math.max(Math.hypot(rate.x, rate.y), 1e-12);
-      return { d, along, step: stepFor(rate, dx, dy, 0.12 / Math.max(this.eye.radius, 1e-9) ** (axes[d]!.slides ? 1 : 0)) };
+      return { d, along, step: stepFor(rate, dx, dy, 0.12 / this.eye.size ** (axes[d]!.slides ? 1 : 0)) };
     });
     const best = steps.reduce((a, b) => (b.along > a.along ? b : a));
     const q = [...this.explorer.q];

