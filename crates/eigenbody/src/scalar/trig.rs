@@ -93,14 +93,13 @@ fn plain<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::S
 #[inline(always)]
 fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let integer = S::constant(trig.integer);
-    let n = x.mul_add(S::constant(trig.two_over_pi), integer) - integer;
+    let shifted = x.mul_add(S::constant(trig.two_over_pi), integer);
+    let n = shifted - integer;
     let [p0, p1, p2] = trig.minus_half_pi;
     let first = n.mul_add(S::constant(p0), x);
-    let w = n * S::constant(p1);
-    let t = first + w;
-    // What rounding took from the sum, whichever of the two is larger.
-    let back = t - first;
-    let lost = (first - (t - back)) + (w - back);
+    let t = n.mul_add(S::constant(p1), first);
+    // What rounding took from the sum.
+    let lost = n.mul_add(S::constant(p1), first - t);
     let tail = n.mul_add(S::constant(p2), lost);
     let r = t + tail;
     let y = (t - r) + tail;
@@ -120,15 +119,19 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let s = r + cube.mul_add(p, y * (S::ONE - h));
     let w = S::ONE - h;
     let c = w + (((S::ONE - w) - h) + (z * z).mul_add(q, -(r * y)));
+    n.quarters(shifted, s, c)
+}
 
-    // j = n mod 4 in {−2, .., 2}
-    let quarter = n.mul_add(S::from_f64(0.25), integer) - integer;
-    let j = quarter.mul_add(S::from_f64(-4.0), n);
+/// [`Scalar::quarters`] without a look at bits: j = n mod 4 in {−2, .., 2}.
+#[inline(always)]
+pub(super) fn quarters<S: Scalar>(n: S, s: S, c: S) -> (S, S) {
+    let integer = S::from_f64(1.5 / S::Constant::EPSILON);
+    let (half, half_turn) = (S::from_f64(0.5), S::from_f64(1.5));
+    let j = (n.mul_add(S::from_f64(0.25), integer) - integer).mul_add(S::from_f64(-4.0), n);
     let odd = (j.abs() - S::ONE).abs();
     let (sine, cosine) = (odd.select_lt(half, c, s), odd.select_lt(half, s, c));
     // sin is negative for j = −1 and ±2, cos for j = 1 and ±2.
-    let half_turn = S::from_f64(1.5);
-    let sine = (j + half_turn - S::ONE).select_lt(S::ZERO, -sine, sine);
+    let sine = (j + half).select_lt(S::ZERO, -sine, sine);
     let sine = half_turn.select_lt(j, -sine, sine);
     let cosine = half.select_lt(j, -cosine, cosine);
     let cosine = (j + half_turn).select_lt(S::ZERO, -cosine, cosine);
