@@ -165,7 +165,9 @@ fn text(figures: &Figures) -> String {
     let batches = BATCHES.map(|(quantity, title, theirs)| {
         let row = |(robot, base, _): (&str, &str, &str)| {
             let head = format!("{robot} {quantity} ");
-            let of = |name: &str| Some(figures.get(&format!("{head}{name}"))).filter(|seconds| seconds.is_finite());
+            let of = |name: &str| {
+                Some(figures.get(&format!("{head}{name}"))).filter(|seconds| seconds.is_finite())
+            };
             let their_head = format!("{robot} {theirs} ");
             let peer = best(figures, &their_head, "pinocchio").map(|(seconds, _)| seconds);
             let cells = |name: &str, reference: Option<f64>| match (of(name), reference) {
@@ -182,7 +184,16 @@ fn text(figures: &Figures) -> String {
                 .collect::<Vec<_>>()
         };
         let head = [
-            "robot", "pinocchio", "one core", "ratio", "AVX2", "ratio", "two cores", "to one", "f32", "to f64",
+            "robot",
+            "pinocchio",
+            "one core",
+            "ratio",
+            "AVX2",
+            "ratio",
+            "two cores",
+            "to one",
+            "f32",
+            "to f64",
         ];
         table(&format!("Batches: {title}"), &head, &ROBOTS.map(row))
     });

@@ -79,7 +79,8 @@ impl Layout {
     pub fn pairs(&self) -> Vec<(usize, usize)> {
         let ends = self.start.iter().skip(1).copied().chain([self.all.len() as u32]);
         let columns = self.start.iter().zip(ends).enumerate();
-        let column = |(e, (&start, end)): (usize, (&u32, u32))| (0..(end - start) as usize).map(move |k| (e + k, e));
+        let column =
+            |(e, (&start, end)): (usize, (&u32, u32))| (0..(end - start) as usize).map(move |k| (e + k, e));
         let of = |(d, e): (usize, usize)| (self.order[d] as usize, self.order[e] as usize);
         columns.flat_map(column).map(of).collect()
     }

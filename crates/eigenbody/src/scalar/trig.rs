@@ -142,7 +142,7 @@ pub(super) fn quarters<S: Scalar>(n: S, s: S, c: S) -> (S, S) {
 mod tests {
     use super::*;
     use crate::scalar::fused::Fused;
-    use crate::scalar::{Array, Dd};
+    use crate::scalar::{Array, Batched, Dd, Unit, Wide, WideAlgorithm};
 
     /// Errors in units of the last place of the result, over angles up to the limit, against double-double.
     fn worst<S: Scalar>(
@@ -186,6 +186,57 @@ mod tests {
             worst::<Fused<f32>>(|x| x as f32, f64::from, 3000.0, 1e-4),
         ] {
             assert!(single < 1.5, "f32: {single}");
+        }
+    }
+
+    /// Every angle in one lane after the other.
+    struct Sines<'a, T>(&'a [T]);
+
+    impl<T: Batched> WideAlgorithm<T> for Sines<'_, T> {
+        type Output = Vec<[T; 2]>;
+        #[inline(always)]
+        fn run<W: Wide<Constant = T>>(self) -> Self::Output {
+            let mut out = Vec::new();
+            for angles in self.0.chunks_exact(crate::scalar::MOST_LANES) {
+                for angles in angles.chunks_exact(W::WIDTH) {
+                    let (mut s, mut c) = ([W::ZERO], [W::ZERO]);
+                    sin_cos_all::<W>(&[W::from_slice(angles)], &mut s, &mut c);
+                    let mut numbers = [[T::ZERO; crate::scalar::MOST_LANES]; 2];
+                    s[0].to_slice(&mut numbers[0]);
+                    c[0].to_slice(&mut numbers[1]);
+                    out.extend((0..W::WIDTH).map(|lane| [numbers[0][lane], numbers[1][lane]]));
+                }
+            }
+            out
+        }
+    }
+
+    /// All units agree: quarter turns are counted by bits in registers, and by bits of another kind elsewhere.
+    fn units_agree<T: Batched>() {
+        let angles: Vec<T> = (-800..800).map(|k| T::from_f64(f64::from(k) * 0.37)).collect();
+        let of = |unit| T::dispatch_wide(unit, Sines(&angles));
+        for unit in [Unit::Avx2, Unit::Avx512] {
+            for ((found, plain), angle) in of(unit).iter().zip(&of(Unit::Plain)).zip(&angles) {
+                for k in 0..2 {
+                    let apart = (found[k] - plain[k]).to_f64().abs();
+                    assert!(apart <= 2.0 * T::EPSILON, "{unit:?}, {angle:?}: {found:?} {plain:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn sines_agree_on_all_units() {
+        units_agree::<f32>();
+        units_agree::<f64>();
+    }
+
+    /// By arithmetic as by bits.
+    #[test]
+    fn quarter_turns_are_counted_alike() {
+        for n in -9_i32..=9 {
+            let (n, shifted) = (f64::from(n), f64::from(n) + DOUBLE.integer);
+            assert_eq!(quarters(n, 0.6, 0.8), Scalar::quarters(n, shifted, 0.6, 0.8));
         }
     }
 }

@@ -290,10 +290,7 @@ macro_rules! quarters {
                     let sign = $bits(Self::all(-0.0).0);
                     let turns = $and($shift::<{ $last - 1 }>($n), sign);
                     let turns_on = $and($shift::<{ $last - 1 }>($plus($n, $ones(1))), sign);
-                    (
-                        Self($number($xor($bits(sine), turns))),
-                        Self($number($xor($bits(cosine), turns_on))),
-                    )
+                    (Self($number($xor($bits(sine), turns))), Self($number($xor($bits(cosine), turns_on))))
                 }
             }
         }
