@@ -162,11 +162,13 @@ fn inwards<S: Scalar>(
     D: &mut [S::Stored],
 ) {
     for (i, m) in model.mechanism.members.iter().enumerate().rev() {
-        let (mut IA_i, mut p_i) = (m.I.articulated().map(S::constant), f[i + 1].map(S::load));
-        if !m.is_leaf {
+        let (body, f_i) = (m.I.map(S::constant), f[i + 1].map(S::load));
+        let (mut IA_i, mut p_i) = if m.is_leaf {
+            (body.articulated(), f_i)
+        } else {
             let (IA, p) = &carried[m.level as usize];
-            (IA_i, p_i) = (IA_i + IA.map(S::load), p_i + p.map(S::load));
-        }
+            (IA.map(S::load).plus_body(body), f_i + p.map(S::load))
+        };
         let mut eliminate =
             Eliminate { IA: &mut IA_i, p: &mut p_i, tau, hinges, D, armature: &model.armature };
         let d = m.v0 as usize;

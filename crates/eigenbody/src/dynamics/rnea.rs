@@ -271,7 +271,7 @@ fn carried<S: Scalar, R: Rotation<S>>(
     Placed { E, r }: Placed<S, R>,
     up: &Moving<S::Stored>,
 ) -> (Vec3<S>, Vec3<S>, Vec3<S>) {
-    let a = up.a.map(S::load) + up.Psi.map(S::load) * r;
+    let a = up.Psi.map(S::load).times_add(r, up.a.map(S::load));
     (E.times(up.omega.map(S::load)), E.times(up.alpha.map(S::load)), E.times(a))
 }
 
@@ -284,12 +284,14 @@ fn finish<S: Scalar>(
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
     let Psi = Psi(omega, alpha);
-    *out = Moving {
-        omega: omega.map(S::store),
-        alpha: alpha.map(S::store),
-        a: a.map(S::store),
-        Psi: Psi.map(S::store),
-    };
+    if !m.is_leaf {
+        *out = Moving {
+            omega: omega.map(S::store),
+            alpha: alpha.map(S::store),
+            a: a.map(S::store),
+            Psi: Psi.map(S::store),
+        };
+    }
     m.I.map(S::constant).force(a, Psi)
 }
 
@@ -297,10 +299,9 @@ fn finish<S: Scalar>(
 #[inline(always)]
 fn Psi<S: Scalar>(w: Vec3<S>, alpha: Vec3<S>) -> Mat3<S> {
     let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
-    let (xy, xz, yz) = (w.x * w.y, w.x * w.z, w.y * w.z);
     Mat3 {
-        x: Vec3::new(-(yy + zz), xy - alpha.z, xz + alpha.y),
-        y: Vec3::new(xy + alpha.z, -(xx + zz), yz - alpha.x),
-        z: Vec3::new(xz - alpha.y, yz + alpha.x, -(xx + yy)),
+        x: Vec3::new((-w.y).mul_add(w.y, -zz), w.x.mul_add(w.y, -alpha.z), w.x.mul_add(w.z, alpha.y)),
+        y: Vec3::new(w.x.mul_add(w.y, alpha.z), (-w.z).mul_add(w.z, -xx), w.y.mul_add(w.z, -alpha.x)),
+        z: Vec3::new(w.x.mul_add(w.z, -alpha.y), w.y.mul_add(w.z, alpha.x), (-w.x).mul_add(w.x, -yy)),
     }
 }

@@ -106,6 +106,11 @@ macro_rules! fused {
                 (Self(s), Self(c))
             }
             #[inline(always)]
+            fn quarters(self, shifted: Self, s: Self, c: Self) -> (Self, Self) {
+                let (s, c) = self.0.quarters(shifted.0, s.0, c.0);
+                (Self(s), Self(c))
+            }
+            #[inline(always)]
             fn abs(self) -> Self {
                 Self($T::abs(self.0))
             }

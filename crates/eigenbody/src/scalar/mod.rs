@@ -101,6 +101,12 @@ pub trait Scalar:
     fn sqrt(self) -> Self;
     /// (sin self, cos self), self in radians.
     fn sin_cos(self) -> (Self, Self);
+    /// Sine and cosine after n = `self` quarter turns of an angle with sine s and cosine c; `shifted` is n and 1.5/ε, whose last bits are
+    /// those of n.
+    #[inline(always)]
+    fn quarters(self, _shifted: Self, s: Self, c: Self) -> (Self, Self) {
+        trig::quarters(self, s, c)
+    }
     /// |self|.
     fn abs(self) -> Self;
     /// The smaller of two numbers.

@@ -140,8 +140,8 @@ batched!(f32, F32x8, F32x16);
 
 #[cfg(test)]
 mod tests {
-    use super::super::lanes::{Array, LANES, Lane};
-    use super::{LaneAlgorithm, dispatch};
+    use super::super::lanes::{Array, LANES, Lane, MOST_LANES, Wide};
+    use super::{Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch};
 
     /// Every operation of the lane type, on awkward numbers.
     struct Everything;
@@ -184,5 +184,63 @@ mod tests {
                 assert!(same, "operation {operation}, lane {lane}: {} {}", wide[lane], plain[lane]);
             }
         }
+    }
+
+    /// Rows turned into lanes, and lanes into rows.
+    struct Turns<'a, T>(&'a [T]);
+
+    impl<T: Batched> WideAlgorithm<T> for Turns<'_, T> {
+        /// Lanes, numbers gathered, numbers of the rows that they give.
+        type Output = (usize, Vec<T>, Vec<T>);
+        #[inline(always)]
+        fn run<W: Wide<Constant = T>>(self) -> Self::Output {
+            let mut at = [0; MOST_LANES];
+            for (lane, at) in at.iter_mut().enumerate() {
+                *at = 7 * (lane * 5 % MOST_LANES);
+            }
+            let mut numbers = [T::ZERO; MOST_LANES];
+            let mut out = [Vec::new(), Vec::new()];
+            let gathered = W::gather(self.0, &at);
+            for x in gathered {
+                x.to_slice(&mut numbers);
+                out[0].extend(&numbers[..W::WIDTH]);
+            }
+            let mut values = vec![W::ZERO; MOST_LANES];
+            for (k, value) in values.iter_mut().enumerate() {
+                *value = W::from_slice(&self.0[k * MOST_LANES..]);
+            }
+            for (k, at) in at.iter_mut().enumerate() {
+                *at = k * 3 % MOST_LANES;
+            }
+            for first in (0..W::WIDTH).step_by(4) {
+                for x in W::turn(&values, &at, first) {
+                    x.to_slice(&mut numbers);
+                    out[1].extend(&numbers[..W::WIDTH]);
+                }
+            }
+            let [gathered, turned] = out;
+            (W::WIDTH, gathered, turned)
+        }
+    }
+
+    fn rows_turn_into_lanes<T: Batched>() {
+        let numbers: Vec<T> = (0..MOST_LANES * MOST_LANES).map(|k| T::from_f64(k as f64)).collect();
+        for unit in [Unit::Plain, Unit::Avx2, Unit::Avx512] {
+            let (width, gathered, turned) = T::dispatch_wide(unit, Turns(&numbers));
+            for (place, x) in gathered.iter().enumerate() {
+                let (k, lane) = (place / width, place % width);
+                assert_eq!(x.to_f64(), (7 * (lane * 5 % MOST_LANES) + k) as f64, "{unit:?}");
+            }
+            for (place, x) in turned.iter().enumerate().take(width * width) {
+                let (lane, j) = (place / width, place % width);
+                assert_eq!(x.to_f64(), (MOST_LANES * (j * 3 % MOST_LANES) + lane) as f64, "{unit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn turns_are_exact() {
+        rows_turn_into_lanes::<f32>();
+        rows_turn_into_lanes::<f64>();
     }
 }
