@@ -391,14 +391,14 @@ impl<T: Batched> WideAlgorithm<T> for Finite<'_, T> {
 
     #[inline(always)]
     fn run<W: Wide<Constant = T>>(self) -> bool {
-        // x − x is zero for a finite number and for no other.
+        // 0 x is zero for a finite number and for no other.
         let mut sums = [W::ZERO; 4];
         let blocks = self.x.chunks_exact(4 * W::WIDTH);
         let mut all = blocks.remainder().iter().fold(true, |all, x| all & x.is_finite());
         for block in blocks {
             for (sum, x) in sums.iter_mut().zip(block.chunks_exact(W::WIDTH)) {
                 let x = W::from_slice(x);
-                *sum += x - x;
+                *sum += x * W::ZERO;
             }
         }
         for sum in sums {

@@ -26,7 +26,7 @@ use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 pub struct AbaWorkspace<T> {
     bias: RneaWorkspace<T>,
     /// By level: what the subtrees of a body add to its own articulated inertia and bias force. Written and read by the backward sweep.
-    carried: Vec<(ArticulatedInertia<T>, Force<T>)>,
+    carried: Vec<Handed<T>>,
     /// By level, the world first: accelerations on the path to the body at hand.
     a: Vec<Motion<T>>,
     /// nv: what q̈ is made of. Written by the backward sweep.
@@ -150,6 +150,9 @@ impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
     }
 }
 
+/// What a body's children hand down: inertia and bias force.
+type Handed<T> = (ArticulatedInertia<T>, Force<T>);
+
 /// Eliminates the hinges, tips first.
 #[inline(always)]
 fn inwards<S: Scalar>(
@@ -157,7 +160,7 @@ fn inwards<S: Scalar>(
     q: &[S::Stored],
     tau: &[S::Stored],
     RneaWorkspace { posture, f, .. }: &RneaWorkspace<S::Stored>,
-    carried: &mut [(ArticulatedInertia<S::Stored>, Force<S::Stored>)],
+    carried: &mut [Handed<S::Stored>],
     hinges: &mut [Hinge<S::Stored>],
     D: &mut [S::Stored],
 ) {
