@@ -133,6 +133,24 @@ test("a file is chosen by keyboard too, and its mass changed", async () => {
   session.clean();
 });
 
+test("a file's own shapes are drawn, or the boxes of its inertias", async () => {
+  const page = await session.page("show=none");
+  await settled(page);
+  const shape = (xyz: string, geometry: string) => `</inertial><visual><origin xyz="${xyz}"/><geometry>${geometry}</geometry></visual>`;
+  const shapes = [shape("0 0 0.2", '<cylinder radius="0.03" length="0.4"/>'), shape("0 0 0.15", '<box size="0.05 0.05 0.3"/>'), shape("0 0 0.05", '<sphere radius="0.05"/>')];
+  await drop(page, "drawn.urdf", arm.replaceAll("</inertial>", () => shapes.shift()!));
+  await page.getByRole("heading", { level: 1, name: "drawn.urdf" }).waitFor();
+  await settled(page);
+  const visuals = page.getByRole("checkbox", { name: "visuals of the file" });
+  const drawn = await inked(page);
+  await visuals.uncheck();
+  await page.waitForTimeout(600);
+  // The hand's inertia is that of a wide plate.
+  expect(await inked(page)).toBeGreaterThan(1.2 * drawn);
+  expect(drawn).toBeGreaterThan(500);
+  session.clean();
+});
+
 test("560 links stay live", async () => {
   const page = await session.page("m=hydra(560,1,0,1)");
   await settled(page);
