@@ -15,10 +15,11 @@
 
 use super::posture::{Posture, position, slide};
 use super::rnea::{RneaWorkspace, check_out, rnea};
+use super::rooted;
 use crate::error::{Error, NotPositiveDefinite};
 use crate::joint::Column;
 use crate::model::{Mechanism, Model, MotionKind, with_twist};
-use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 
 /// Room for [`forward_dynamics_into`].
@@ -34,6 +35,7 @@ pub struct AbaWorkspace<T> {
     /// nv: U = IA S and the hinge inertia D. Written by the backward sweep.
     U: Vec<Force<T>>,
     D: Vec<T>,
+    rooted: rooted::AbaRoom<T>,
 }
 
 impl<T: Scalar> AbaWorkspace<T> {
@@ -48,6 +50,7 @@ impl<T: Scalar> AbaWorkspace<T> {
             u: vec![T::ZERO; nv],
             U: vec![Force::ZERO; nv],
             D: vec![T::ZERO; nv],
+            rooted: rooted::AbaRoom::new(model),
         }
     }
 }
@@ -128,6 +131,16 @@ impl<T: Real> Algorithm<T> for Aba<'_, T, T> {
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         self.sweep::<S>();
     }
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
+        if !rooted::suits::<T>(&self.model.mechanism) {
+            return self.run::<S>();
+        }
+        let Self { model, q, v, tau, workspace: AbaWorkspace { bias, D, rooted, .. }, vdot } = self;
+        bias.posture.update::<S>(&model.mechanism, q);
+        let RneaWorkspace { posture, zeros, rooted: moving, .. } = bias;
+        rooted::aba::<T, S::Columns>(model, posture, [q, v, zeros, tau], moving, rooted, (D, vdot));
+    }
 }
 
 impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
@@ -135,7 +148,7 @@ impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
     #[inline(always)]
     pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
         let Self { model, q, v, tau, workspace, vdot } = self;
-        let AbaWorkspace { bias, IA, p, a, u, U, D } = workspace;
+        let AbaWorkspace { bias, IA, p, a, u, U, D, .. } = workspace;
         bias.posture.update::<S>(&model.mechanism, q);
         let zeros = std::mem::take(&mut bias.zeros);
         rnea::<S>(model, q, v, &zeros, bias, u);
