@@ -204,7 +204,12 @@ impl<T: Real> Mechanism<T> {
                 r,
                 I: turned.into(),
                 carried: body.I.m,
-                place: Place { leaf: true, branches: false, first: body.parent() == i.checked_sub(1), last: true },
+                place: Place {
+                    leaf: true,
+                    branches: false,
+                    first: body.parent() == i.checked_sub(1),
+                    last: true,
+                },
                 joint: body.joint,
             });
             mechanism.sin_offset.push(offset.s);

@@ -10,10 +10,10 @@
 //! cubically and, for a polynomial with real zeros only, from one side: 4 to 15 steps. Parlett, *The Symmetric Eigenvalue Problem* (1980),
 //! §8.  Cost n³ and about 20 n; nothing is decided by comparing values, so that matrices may stand side by side in lanes.
 
+use super::abreast;
 use crate::error::InputError;
 use crate::matrix::Matrix;
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
-use super::abreast;
 
 /// More steps than any spectrum has needed.
 const MAX_STEPS: usize = 60;

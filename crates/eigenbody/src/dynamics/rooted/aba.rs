@@ -14,7 +14,7 @@
 
 use super::moments::Moments;
 use super::rnea::{RneaRoom, force, move_all};
-use super::{Stand, columns, components, combined, suits, units};
+use super::{Stand, columns, combined, components, suits, units};
 use crate::dynamics::posture::Posture;
 use crate::model::{Model, MotionKind};
 use crate::scalar::{Quad, Real, Scalar};
@@ -120,7 +120,8 @@ pub(in crate::dynamics) fn aba<T: Real, Q: Quad<T>>(
             }
         }
         if m.parent > 0 {
-            let up = (IA.shifted(components(&at.r)), Wrench { n: p.n + Q::from_slice(&at.r).cross(p.f), f: p.f });
+            let up =
+                (IA.shifted(components(&at.r)), Wrench { n: p.n + Q::from_slice(&at.r).cross(p.f), f: p.f });
             let parent = m.parent as usize - 1;
             if m.place.first {
                 next = up;
@@ -265,11 +266,7 @@ impl<Q> Wrench<Q> {
 /// [r]× A, by rows.
 #[inline(always)]
 fn crossed<T: Real, Q: Quad<T>>(r: Vec3<Q>, A: Vec3<Q>) -> Vec3<Q> {
-    Vec3::new(
-        A.z.mul_add(r.y, -(A.y * r.z)),
-        A.x.mul_add(r.z, -(A.z * r.x)),
-        A.y.mul_add(r.x, -(A.x * r.y)),
-    )
+    Vec3::new(A.z.mul_add(r.y, -(A.y * r.z)), A.x.mul_add(r.z, -(A.z * r.x)), A.y.mul_add(r.x, -(A.x * r.y)))
 }
 
 #[inline(always)]
@@ -279,7 +276,9 @@ fn transpose<T: Real, Q: Quad<T>>(A: Vec3<Q>) -> Vec3<Q> {
 }
 
 #[inline(always)]
-fn load<T: Real, Q: Quad<T>>([ix, iy, iz, hx, hy, hz, mx, my, mz, n, f]: &[[T; 4]; 11]) -> (Articulated<Q>, Wrench<Q>) {
+fn load<T: Real, Q: Quad<T>>(
+    [ix, iy, iz, hx, hy, hz, mx, my, mz, n, f]: &[[T; 4]; 11],
+) -> (Articulated<Q>, Wrench<Q>) {
     let IA = Articulated {
         I: Vec3::new(Q::from_slice(ix), Q::from_slice(iy), Q::from_slice(iz)),
         H: Vec3::new(Q::from_slice(hx), Q::from_slice(hy), Q::from_slice(hz)),

@@ -9,7 +9,7 @@
 //! Columns stand four in a block, and a row of H is written block by block. The lower triangle is the upper one, four by four.
 
 use super::moments::Moments;
-use super::{Stand, columns, components, combined, stand, suits};
+use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::matrix::Matrix;
 use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
@@ -253,10 +253,5 @@ fn four<T: Real, Q: Quad<T>>(U: &[T], stride: usize) -> [Q; 4] {
 #[inline(always)]
 fn symmetric<T: Real, Q: Quad<T>>([a, b, c, d]: [Q; 4]) -> [Q; 4] {
     let (x, y, z, w) = (a.numbers(), b.numbers(), c.numbers(), d.numbers());
-    [
-        a,
-        Q::of([x[1], y[1], y[2], y[3]]),
-        Q::of([x[2], y[2], z[2], z[3]]),
-        Q::of([x[3], y[3], z[3], w[3]]),
-    ]
+    [a, Q::of([x[1], y[1], y[2], y[3]]), Q::of([x[2], y[2], z[2], z[3]]), Q::of([x[3], y[3], z[3], w[3]])]
 }

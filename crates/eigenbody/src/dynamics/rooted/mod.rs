@@ -22,7 +22,7 @@ use crate::scalar::{Quad, Real, Scalar};
 use crate::spatial::{Motion, ThenZ, Vec3};
 
 /// Up to so many degrees of freedom: in longer chains the axes of the last body collect what every joint rounds.
-const LARGEST: usize = 256;
+const LARGEST: usize = 64;
 
 /// Whether a mechanism is of the size that this is for, and T one number.
 pub(super) fn suits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {

@@ -67,10 +67,6 @@ impl<Q> Moments<Q> {
         let sums = Q::of([y[1], z[2], x[0], T::ZERO]) + Q::of([z[2], x[0], y[1], T::ZERO]);
         let [xx, yy, zz, _] = sums.numbers();
         let (x, y, z) = ((-self.P.x).numbers(), (-self.P.y).numbers(), (-self.P.z).numbers());
-        Vec3::new(
-            Q::of([xx, x[1], x[2], x[3]]),
-            Q::of([y[0], yy, y[2], y[3]]),
-            Q::of([z[0], z[1], zz, z[3]]),
-        )
+        Vec3::new(Q::of([xx, x[1], x[2], x[3]]), Q::of([y[0], yy, y[2], y[3]]), Q::of([z[0], z[1], zz, z[3]]))
     }
 }

@@ -9,7 +9,7 @@
 //! ```
 
 use super::moments::Moments;
-use super::{Stand, columns, components, combined, stand, suits};
+use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::joint::Joint;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
