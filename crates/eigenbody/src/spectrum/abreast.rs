@@ -12,7 +12,7 @@
 //! scaled so that its spectrum ends at one; every few rows so are the p.
 
 use super::ends::EndsWorkspace;
-use crate::scalar::{Quad, Real, Scalar};
+use crate::scalar::{Quad, Real};
 
 /// Numbers of a register.
 const WIDTH: usize = 4;
@@ -26,7 +26,7 @@ const ROWS: usize = 8;
 pub(super) fn ends<T: Real, Q: Quad<T>>(workspace: &mut EndsWorkspace<T>) -> [T; 2] {
     let bound = reduce::<T, Q>(workspace);
     let EndsWorkspace { n, d, e2, .. } = workspace;
-    if !(bound > T::ZERO) {
+    if bound <= T::ZERO {
         return [T::ZERO; 2];
     }
     let scale = T::ONE / bound;
