@@ -8,7 +8,7 @@
 //! p_i = (d_i − λ) p_(i−1) − e_i² p_(i−2)     with p' and p'': det(T − λ), no division;  all p_i positive as long as λ < λmin
 //! λ ← λ + n p/(−p' + √((n−1)((n−1) p'² − n p p'')))                                       Laguerre's step
 //! ```
-//! The same numbers as [`ends`](super::ends): there by pivots and in any scalar, here with both ends side by side in one register. T is
+//! The same numbers as [`ends`](mod@super::ends): there by pivots and in any scalar, here with both ends side by side in one register. T is
 //! scaled so that its spectrum ends at one; every few rows so are the p.
 
 use super::ends::EndsWorkspace;
