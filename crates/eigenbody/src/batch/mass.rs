@@ -131,7 +131,7 @@ impl<W: Wide> Columns<W> {
         let members = &model.mechanism.members;
         for (i, m) in members.iter().enumerate().rev() {
             let mut Ic = m.I.map(W::constant);
-            if !m.is_leaf {
+            if !m.place.leaf {
                 Ic += self.Ic[m.level as usize];
             }
             let (first, end) = (layout.subtree[i].0 as usize, layout.subtree[i].1 as usize);
@@ -151,7 +151,7 @@ impl<W: Wide> Columns<W> {
             };
             self.put_rows(layout, &members[m.parent as usize - 1], first, end);
             let sum = &mut self.Ic[m.level as usize - 1];
-            if !m.is_last {
+            if !m.place.last {
                 up += *sum;
             }
             *sum = up;

@@ -13,9 +13,10 @@
 //! which `plain` has as it stands, with a_i + ω_i × v_i for the linear part. P are the second moments of mass. Cost O(N).
 
 use super::posture::{Posture, position, slide};
+use super::rooted;
 use crate::error::InputError;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
-use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
 
 /// Room for [`inverse_dynamics_into`].
@@ -29,6 +30,7 @@ pub struct RneaWorkspace<T> {
     pub(super) f: Vec<Force<T>>,
     /// nv: zeros, for the callers that need v = 0 or v̇ = 0.
     pub(super) zeros: Vec<T>,
+    pub(super) rooted: rooted::RneaRoom<T>,
 }
 
 /// How a body moves. Written by the forward sweep.
@@ -51,6 +53,7 @@ impl<T: Scalar> RneaWorkspace<T> {
             path: vec![still; model.mechanism.depth + 1],
             f: vec![Force::ZERO; n],
             zeros: vec![T::ZERO; model.nv()],
+            rooted: rooted::RneaRoom::new(&model.mechanism),
         }
     }
 }
@@ -127,6 +130,15 @@ impl<T: Real> Algorithm<T> for Rnea<'_, T, T> {
     #[inline(always)]
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         self.sweep::<S>();
+    }
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
+        if !rooted::suits::<T>(&self.model.mechanism) {
+            return self.run::<S>();
+        }
+        let Self { model, q, v, vdot, workspace: RneaWorkspace { posture, rooted, .. }, tau } = self;
+        posture.update::<S>(&model.mechanism, q);
+        rooted::rnea::<T, S::Columns>(model, posture, [q, v, vdot], rooted, tau);
     }
 }
 
@@ -284,7 +296,7 @@ fn finish<S: Scalar>(
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
     let Psi = Psi(omega, alpha);
-    if !m.is_leaf {
+    if !m.place.leaf {
         *out = Moving {
             omega: omega.map(S::store),
             alpha: alpha.map(S::store),

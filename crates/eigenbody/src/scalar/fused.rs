@@ -79,6 +79,10 @@ macro_rules! fused {
                 <$Columns>::from_slice(x)
             }
             #[inline(always)]
+            fn constant_columns(x: &[$T]) -> $Columns {
+                <$Columns>::from_slice(x)
+            }
+            #[inline(always)]
             fn store_columns(x: $Columns, out: &mut [$T]) {
                 x.to_slice(out);
             }

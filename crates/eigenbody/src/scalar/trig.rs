@@ -63,19 +63,21 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
 };
 
-/// Sines and cosines of all `angles`, as long as both outputs.
+/// Sines and cosines of all `angles`, as long as both outputs. What does not fill the columns of a scalar is left out.
 #[inline(always)]
 pub(crate) fn sin_cos_all<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::Stored]) {
     let limit = S::Constant::TRIG.as_ref().map_or(S::Constant::ZERO, |trig| trig.limit);
     let mut beyond = false;
-    for &x in angles {
-        beyond |= S::load(x).abs().any_above(limit);
+    for x in angles.chunks_exact(S::COLUMNS) {
+        beyond |= S::load_columns(x).abs().any_above(limit);
     }
     match S::Constant::TRIG {
         Some(trig) if !beyond => {
-            for ((&x, sin), cos) in angles.iter().zip(sin).zip(cos) {
-                let (s, c) = sin_cos::<S>(S::load(x), &trig);
-                (*sin, *cos) = (s.store(), c.store());
+            let (sin, cos) = (sin.chunks_exact_mut(S::COLUMNS), cos.chunks_exact_mut(S::COLUMNS));
+            for ((x, sin), cos) in angles.chunks_exact(S::COLUMNS).zip(sin).zip(cos) {
+                let (s, c) = sin_cos::<S::Columns>(S::load_columns(x), &trig);
+                S::store_columns(s, sin);
+                S::store_columns(c, cos);
             }
         }
         _ => plain::<S>(angles, sin, cos),
@@ -160,9 +162,9 @@ mod tests {
                 2 => f64::from(k - 100_000) * 1e-4,
                 _ => (-f64::from(k) / 4000.0).exp(),
             };
-            let (mut s, mut c) = ([from_f64(0.0)], [from_f64(0.0)]);
+            let (mut s, mut c) = ([from_f64(0.0); 4], [from_f64(0.0); 4]);
             let x = from_f64(x);
-            sin_cos_all::<S>(&[x], &mut s, &mut c);
+            sin_cos_all::<S>(&[x; 4], &mut s, &mut c);
             let (sin, cos) = Dd::from_f64(to_f64(x)).sin_cos();
             for (found, exact) in [(to_f64(s[0]), sin), (to_f64(c[0]), cos)] {
                 let ulp = exact.hi().abs().max(least) * S::Constant::EPSILON;

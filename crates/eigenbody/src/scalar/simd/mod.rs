@@ -14,7 +14,7 @@
 pub(super) mod x86;
 
 use super::lanes::{Array, LANES, Lane, Wide};
-use super::{Real, Scalar};
+use super::{Quad, Real, Scalar};
 
 /// An algorithm over eight lanes. `run` must be `#[inline(always)]`, and so must all that it calls per element.
 pub trait LaneAlgorithm {
@@ -38,6 +38,14 @@ pub trait Algorithm<T: Real> {
     type Output;
     /// Runs on plain or fused numbers.
     fn run<S: Scalar<Constant = T, Stored = T>>(self) -> Self::Output;
+    /// Runs where four numbers fit into a register, for an algorithm that has a better way there.
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.run::<S>()
+    }
 }
 
 /// A unit of the processor.
@@ -96,16 +104,19 @@ pub fn dispatch_one<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
 
 /// Runs an algorithm on `F`, or on plain numbers where there is no fused multiply-add.
 #[inline]
-pub(super) fn dispatch_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
-    algorithm: A,
-) -> A::Output {
+pub(super) fn dispatch_fused<F, T, A>(algorithm: A) -> A::Output
+where
+    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
+    T: Real,
+    A: Algorithm<T>,
+{
     #[cfg(target_arch = "x86_64")]
     if has_fma() {
         // SAFETY: the processor has the features that the entry function is compiled for.
         return unsafe { x86::one_fused::<F, _, _>(algorithm) };
     }
     #[cfg(target_arch = "aarch64")]
-    return algorithm.run::<F>();
+    return algorithm.run_in_fours::<F>();
     #[cfg(not(target_arch = "aarch64"))]
     algorithm.run::<T>()
 }

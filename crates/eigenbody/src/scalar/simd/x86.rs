@@ -1,7 +1,7 @@
 //! Registers of AVX2 and AVX-512, and the entry functions that are compiled for them.
 
 use super::super::lanes::{LANES, Lane, MOST_LANES, Two, Wide, lane_operators};
-use super::super::{Real, Scalar, only_itself};
+use super::super::{Quad, Real, Scalar, only_itself};
 use super::{Algorithm, LaneAlgorithm, WideAlgorithm};
 use std::arch::x86_64::*;
 use std::mem::transmute;
@@ -28,10 +28,13 @@ pub(super) fn wide_avx2<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(alg
 }
 
 #[target_feature(enable = "avx2,fma")]
-pub(super) fn one_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
-    algorithm: A,
-) -> A::Output {
-    algorithm.run::<F>()
+pub(super) fn one_fused<F, T, A>(algorithm: A) -> A::Output
+where
+    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
+    T: Real,
+    A: Algorithm<T>,
+{
+    algorithm.run_in_fours::<F>()
 }
 
 // SAFETY of every block below: promise 1 of the module; the types exist only where their features do.
@@ -509,6 +512,8 @@ impl F32x4 {
         }
     }
 }
+impl Quad<f64> for F64x4 {}
+impl Quad<f32> for F32x4 {}
 
 impl Lane for F64x8 {
     #[inline(always)]
