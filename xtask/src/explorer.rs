@@ -65,7 +65,7 @@ impl Tools {
             println!("explorer: node_modules/ is up to date");
             return Ok(());
         }
-        run(self.npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))?;
+        run(&mut self.npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))?;
         fs::write(&stamp, wanted.unwrap_or_default())
             .map_err(|error| format!("cannot write {}: {error}", stamp.display()))
     }

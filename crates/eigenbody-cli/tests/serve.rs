@@ -19,7 +19,9 @@ fn it_prints_its_address_answers_and_ends() {
     assert!(address.starts_with("127.0.0.1:"), "{line}");
     let ask = |path: &str, token: &str| {
         let mut stream = TcpStream::connect(address).unwrap();
-        let head = format!("GET {path} HTTP/1.1\r\nHost: {address}\r\nX-Eigenbody-Token: {token}\r\nConnection: close\r\n\r\n");
+        let head = format!(
+            "GET {path} HTTP/1.1\r\nHost: {address}\r\nX-Eigenbody-Token: {token}\r\nConnection: close\r\n\r\n"
+        );
         stream.write_all(head.as_bytes()).unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();

@@ -11,6 +11,7 @@ use crate::explorer::Explorer;
 use crate::refusal::Refusal;
 use axum::body::Body;
 use axum::extract::{Request, State};
+use axum::http::uri::Authority;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, Response, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::IntoResponse;
@@ -48,7 +49,7 @@ pub async fn guard(State(explorer): State<Arc<Explorer>>, request: Request, next
 fn admit(explorer: &Explorer, request: &Request) -> Result<(), Refusal> {
     let refuse = |code, message: &str| Err(Refusal::new(StatusCode::FORBIDDEN, code, message));
     let headers = request.headers();
-    let named = request.uri().authority().map(|authority| authority.as_str());
+    let named = request.uri().authority().map(Authority::as_str);
     if !one(headers, &header::HOST).is_some_and(|host| explorer.is_host(host))
         || named.is_some_and(|host| !explorer.is_host(host))
     {

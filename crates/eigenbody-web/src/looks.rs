@@ -33,7 +33,10 @@ struct MeshView {
 
 /// Meshes that were read in this run, each once, thinned, as JSON; none for a file that gives no mesh.
 #[derive(Default)]
-pub struct Meshes(Mutex<Vec<(String, Option<Arc<[u8]>>)>>);
+pub struct Meshes(Mutex<Vec<Read>>);
+
+/// A file's name and its mesh.
+type Read = (String, Option<Arc<[u8]>>);
 
 impl Meshes {
     /// A mesh by its number.

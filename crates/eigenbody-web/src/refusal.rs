@@ -19,7 +19,7 @@ pub struct Refusal {
     pub message: String,
     /// The place in a text that it is about.
     #[serde(flatten)]
-    pub place: Option<Place>,
+    pub place: Option<Box<Place>>,
 }
 
 /// A place in a text.
@@ -50,8 +50,8 @@ impl Refusal {
     }
 
     /// Something asked for does not fit the robot.
-    pub fn input(message: impl ToString) -> Self {
-        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "input", message.to_string())
+    pub fn input(message: impl Into<String>) -> Self {
+        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "input", message)
     }
 
     /// A robot that is larger than this is for.
@@ -84,37 +84,40 @@ impl Refusal {
                 .and_then(|text| eigenbody_report::excerpt(file, &text, (at.line, at.column), &what, false)),
             what,
         });
-        Self { place, ..Self::new(StatusCode::UNPROCESSABLE_ENTITY, "model", error.to_string()) }
+        Self {
+            place: place.map(Box::new),
+            ..Self::new(StatusCode::UNPROCESSABLE_ENTITY, "model", error.to_string())
+        }
     }
 }
 
 impl From<FormatError> for Refusal {
     fn from(error: FormatError) -> Self {
-        Self::input(error)
+        Self::input(error.to_string())
     }
 }
 
 impl From<StudyError> for Refusal {
     fn from(error: StudyError) -> Self {
-        Self::input(error)
+        Self::input(error.to_string())
     }
 }
 
 impl From<EditError> for Refusal {
     fn from(error: EditError) -> Self {
-        Self::input(error)
+        Self::input(error.to_string())
     }
 }
 
 impl From<eigenbody::Error> for Refusal {
     fn from(error: eigenbody::Error) -> Self {
-        Self::input(error)
+        Self::input(error.to_string())
     }
 }
 
 impl From<eigenbody::InputError> for Refusal {
     fn from(error: eigenbody::InputError) -> Self {
-        Self::input(error)
+        Self::input(error.to_string())
     }
 }
 

@@ -57,8 +57,8 @@ fn no_host_two_hosts_and_another_host_in_the_target_are_refused() {
     let server = Running::new();
     let (host, token) = (server.host(), server.token.clone());
     let requests = [
-        format!("GET / HTTP/1.0\r\n\r\n"),
-        format!("GET / HTTP/1.1\r\nConnection: close\r\n\r\n"),
+        "GET / HTTP/1.0\r\n\r\n".to_owned(),
+        "GET / HTTP/1.1\r\nConnection: close\r\n\r\n".to_owned(),
         format!("GET / HTTP/1.1\r\nHost: {host}\r\nHost: evil.example\r\nConnection: close\r\n\r\n"),
         format!("GET / HTTP/1.1\r\nHost: evil.example\r\nHost: {host}\r\nConnection: close\r\n\r\n"),
         format!("GET http://evil.example/ HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n"),

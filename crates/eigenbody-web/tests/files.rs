@@ -310,6 +310,13 @@ fn meshes_come_from_the_folder_of_the_named_file() {
         if is_read {
             assert_eq!(shapes.len(), 2, "{name}");
             assert_eq!((&shapes[0]["kind"], &shapes[0]["mesh"]), (&mesh["kind"], &mesh["mesh"]));
+            let numbers = |pose: &Value| -> Vec<f64> {
+                pose.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+            };
+            for (seen, meant) in numbers(&shapes[0]["pose"]).into_iter().zip(numbers(&mesh["pose"])) {
+                // Single precision, of numbers up to 3.
+                assert!((seen - meant).abs() <= 4.0 * f64::from(f32::EPSILON), "{name}: {seen} {meant}");
+            }
             let triangles = server.get("/api/mesh/0", &[]).json();
             assert_eq!(triangles["positions"].as_array().unwrap().len(), 12, "corners are merged");
             assert_eq!(triangles["indices"].as_array().unwrap().len(), 12);

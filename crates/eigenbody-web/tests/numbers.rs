@@ -268,7 +268,12 @@ fn models_are_kept_while_they_are_used() {
     let first = server.model(&source)["id"].clone();
     assert_eq!(server.model(&source)["id"], first, "the same robot is made once");
     let used = server.model(&json!({ "family": "hydra(2)" }));
+    let kept = server.model(&json!({ "family": "hydra(4)" }))["id"].clone();
     for n in 0..128 {
+        if n == 100 {
+            // Not yet forgotten; this is no use of it.
+            assert_eq!(server.model(&json!({ "family": "hydra(4)" }))["id"], kept, "made once, still there");
+        }
         server.model(&json!({ "family": format!("hydra({})", 4 + n) }));
         assert_eq!(server.post("/api/evaluate", &json!({ "id": used["id"], "q": [0, 0] })).status, 200);
     }
