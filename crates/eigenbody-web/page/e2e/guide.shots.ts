@@ -1,12 +1,10 @@
 /** The pictures of the guide: docs/guide/src/images. `SHOTS` names another folder. */
 
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, test } from "vitest";
-import { drop, FIXTURES, g1, NARROW, saidIn, Server, Session, settled, WIDE } from "./harness";
+import { drop, FIXTURES, g1, NARROW, Server, Session, settled } from "./harness";
 
 const folder = process.env["SHOTS"] ?? resolve(import.meta.dirname, "../../../../docs/guide/src/images");
 
@@ -17,61 +15,57 @@ beforeAll(async () => {
 });
 afterAll(() => server.stop());
 
-async function shoot(name: string, hash: string, prepare: (page: Page) => Promise<void> = async () => {}, colorScheme: "light" | "dark" = "light"): Promise<void> {
+interface Shot {
+  /** What is done first. */
+  prepare?: (page: Page) => Promise<void>;
+  /** The same on a telephone, after this. */
+  narrow?: (page: Page) => Promise<void>;
+  colorScheme?: "light" | "dark";
+}
+
+async function shoot(name: string, hash: string, { prepare, narrow, colorScheme = "light" }: Shot): Promise<void> {
   const session = await Session.start(server.url, { colorScheme });
   try {
     const page = await session.page(hash);
     await settled(page);
-    await prepare(page);
+    await prepare?.(page);
     await settled(page);
     await page.screenshot({ path: join(folder, `${name}.png`) });
+    if (!narrow) return;
     await page.setViewportSize(NARROW);
     await page.reload();
     await settled(page);
-    await page.screenshot({ path: join(folder, `${name}-390.png`), fullPage: false });
+    await narrow(page);
+    await page.screenshot({ path: join(folder, `${name}-390.png`) });
   } finally {
     await session.stop();
   }
 }
 
-test("arm", () => shoot("explorer-arm", "q=0.4,-0.7,0.5,0.3,0.6,0&show=arrows,axes,centres,floor,skeleton"));
+test("arm", () => shoot("explorer-arm", "q=0.4,-0.7,0.5,0.3,0.6,0&show=arrows,axes,centres,floor,skeleton", { narrow: async () => {} }));
 
-test("arm, dark", () => shoot("explorer-dark", "q=0.4,-0.7,0.5,0.3,0.6,0&tab=line&mode=stiffest", async (page) => {
+test("arm, dark", () => shoot("explorer-dark", "q=0.4,-0.7,0.5,0.3,0.6,0&tab=line&mode=stiffest", { colorScheme: "dark", prepare: async (page) => {
   await page.getByRole("button", { name: "A is here" }).click();
   await page.getByRole("button", { name: "Random" }).click();
-}, "dark"));
+} }));
 
-test("humanoid", () => shoot("explorer-humanoid", "colours=1", async (page) => {
+test("humanoid", () => shoot("explorer-humanoid", "colours=1", { prepare: async (page) => {
   await page.locator('header input[type="file"]').setInputFiles(g1());
   await page.getByRole("heading", { level: 1, name: /g1/ }).waitFor();
   await page.getByRole("tab", { name: "Analysis" }).click();
-}));
+} }));
 
-test("family", () => shoot("explorer-family", "tab=figures&figure=F-fig9", async (page) => {
+test("family", () => shoot("explorer-family", "tab=figures&figure=F-fig9", { prepare: async (page) => {
   await page.locator(".plot .point").first().waitFor();
   const points = page.getByRole("button", { name: / N [2-6]\d,/ });
   await points.nth(Math.floor((await points.count()) / 2)).locator(".halo").click();
   await settled(page);
-}));
+} }));
 
-test("fault", () => shoot("explorer-fault", "tab=file", async (page) => {
-  await drop(page, "arm.urdf", readFileSync(join(FIXTURES, "arm.urdf"), "utf8"));
-  await page.locator(".text .note").first().waitFor();
+test("fault", () => shoot("explorer-fault", "tab=file", {
+  prepare: async (page) => {
+    await drop(page, "arm.urdf", readFileSync(join(FIXTURES, "arm.urdf"), "utf8"));
+    await page.locator(".text .note").first().waitFor();
+  },
+  narrow: (page) => page.getByRole("tablist").evaluate((bar) => bar.scrollIntoView()),
 }));
-
-test("report", async () => {
-  const place = mkdtempSync(join(tmpdir(), "eigenbody-shots-"));
-  copyFileSync(g1(), join(place, "g1.urdf"));
-  saidIn(place, "report", "g1.urdf", "-o", "g1.html");
-  const file = join(place, "g1.html");
-  const session = await Session.start(pathToFileURL(file).href);
-  try {
-    const page = await session.page();
-    for (const [name, size] of [["report-g1", WIDE], ["report-g1-390", NARROW]] as const) {
-      await page.setViewportSize(size);
-      await page.screenshot({ path: join(folder, `${name}.png`) });
-    }
-  } finally {
-    await session.stop();
-  }
-});

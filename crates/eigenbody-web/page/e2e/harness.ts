@@ -41,12 +41,7 @@ function browser(): string {
 
 /** What a call of the command prints. */
 export function said(...words: string[]): string {
-  return saidIn(undefined, ...words);
-}
-
-/** The same in a folder: files are then named as people name them. */
-export function saidIn(cwd: string | undefined, ...words: string[]): string {
-  return execFileSync(command(), words, { cwd, encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
+  return execFileSync(command(), words, { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
 }
 
 /** A call whose status 1 (findings) is no failure. */

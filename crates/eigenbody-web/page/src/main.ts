@@ -74,14 +74,15 @@ function build(explorer: Explorer): void {
     file: [findings.element, checking, edits(explorer)],
     figures: [figures(explorer)],
   }));
-  // The numbers stay in sight: above the robot where there is room for one column only.
+  // The numbers stay in sight: above everything where there is room for one column only.
   const narrow = matchMedia("(max-width: 59.99rem)");
-  const settle = () => (narrow.matches ? left : right).prepend(numbers);
+  const both = h("main", {}, left, right);
+  const settle = () => (narrow.matches ? both : right).prepend(numbers);
   narrow.addEventListener("change", settle);
   settle();
   // A link's hash is the state: this one only takes the focus along.
   const skip = button("To the numbers", () => right.focus(), { class: "skip" });
-  document.body.append(skip, heading(explorer), problem(explorer), h("main", {}, left, right));
+  document.body.append(skip, heading(explorer), problem(explorer), both);
 }
 
 main().catch((error: unknown) => {

@@ -72,8 +72,11 @@ class GlPainter implements Painter {
     const over = new MeshBasicMaterial({ color: 0xffffff, depthTest: false, transparent: true, opacity: 0.9 });
     this.centres = this.instanced(new SphereGeometry(1, 14, 10), over, n);
     this.centres.renderOrder = 2;
-    this.turns = this.instanced(turnGeometry(), white(), Math.max(1, model.dofs.length));
-    this.slides = this.instanced(slideGeometry(), white(), Math.max(1, model.dofs.length));
+    // Joints are inside of links: arrows are seen through them.
+    const through = () => new MeshBasicMaterial({ color: 0xffffff, depthTest: false, transparent: true });
+    this.turns = this.instanced(turnGeometry(), through(), Math.max(1, model.dofs.length));
+    this.slides = this.instanced(slideGeometry(), through(), Math.max(1, model.dofs.length));
+    this.turns.renderOrder = this.slides.renderOrder = 3;
     const lines = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(new Float32Array(6 * n), 3));
     this.skeleton = new LineSegments(lines, new LineBasicMaterial());
     this.skeleton.frustumCulled = false;
