@@ -207,7 +207,7 @@ fn laguerre<T: Real, Q: Quad<T>>(d: &[T], e2: &[T]) -> [T; 2] {
         let next = Q::ZERO.select_lt(smallest, moved, back);
         reached = Q::ZERO.select_lt(smallest, lambda, reached);
         lambda = Q::ZERO.select_lt(going, next, lambda);
-        going = going * Q::ZERO.select_lt(smallest, still, beyond);
+        going *= Q::ZERO.select_lt(smallest, still, beyond);
         before = step;
         if !going.any_above(T::ZERO) {
             break;

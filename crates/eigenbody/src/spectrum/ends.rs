@@ -304,6 +304,6 @@ impl<S: Scalar> Reached<S> {
         let next = S::ZERO.select_lt(sums.smallest, moved, back);
         self.below = S::ZERO.select_lt(sums.smallest, self.lambda, self.below);
         self.lambda = S::ZERO.select_lt(self.going, next, self.lambda);
-        self.going = self.going * S::ZERO.select_lt(sums.smallest, still, beyond);
+        self.going *= S::ZERO.select_lt(sums.smallest, still, beyond);
     }
 }
