@@ -67,4 +67,12 @@ fn a_matrix_of_zeros_has_none_but_zeros() {
     }
 }
 
-scalars!(ends_of_known_spectra);
+#[test]
+fn ends_of_known_spectra_in_single_precision() {
+    ends_of_known_spectra::<f32>();
+}
+
+#[test]
+fn ends_of_known_spectra_in_double_precision() {
+    ends_of_known_spectra::<f64>();
+}
