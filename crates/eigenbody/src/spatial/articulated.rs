@@ -59,7 +59,7 @@ impl<T: Scalar> ArticulatedInertia<T> {
     #[inline(always)]
     pub fn shifted(self, r: Vec3<T>) -> Self {
         let Self { I, H: H0, M } = self;
-        let H = Mat3::cross_times_add(r, M.full(), H0);
+        let H = H0 + Mat3::cross_times(r, M.full());
         Self { I: I.plus_shift(r, H0, H), H, M }
     }
 
