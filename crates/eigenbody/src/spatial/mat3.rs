@@ -59,7 +59,7 @@ impl<T: Scalar> Mat3<T> {
         Vec3 { x: self.x.dot_add(b, c.x), y: self.y.dot_add(b, c.y), z: self.z.dot_add(b, c.z) }
     }
 
-    /// C and the columns of B crossed with a: [a]× B + C.
+    /// C and the columns of B crossed with a: a× B + C.
     #[inline(always)]
     pub fn cross_times_add(a: Vec3<T>, B: Self, C: Self) -> Self {
         Self {
