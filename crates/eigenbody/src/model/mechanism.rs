@@ -191,7 +191,7 @@ impl<T: Real> Mechanism<T> {
             };
             let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
             let slots = &mut mechanism.slots;
-            if body.parent().is_some_and(|p| p + 1 != i) {
+            if i > 0 && body.parent() != Some(i - 1) {
                 slots.resize(slots.len().next_multiple_of(COLUMNS), EMPTY);
             }
             let first = slots.len() as u32;
