@@ -41,6 +41,8 @@ pub(crate) struct Mechanism<T> {
 
 /// The most numbers that any scalar has side by side for one configuration, and slots of a block.
 pub(crate) const COLUMNS: usize = 4;
+/// Slots of a mechanism up to which rows of H are laid out in blocks. In longer chains, the axes of a root collect what every joint rounds.
+pub(crate) const SMALL: usize = 64;
 /// A slot without a degree of freedom.
 pub(crate) const EMPTY: u32 = u32::MAX;
 
@@ -240,19 +242,26 @@ impl<T: Real> Mechanism<T> {
         let whole = bodies.len().next_multiple_of(COLUMNS);
         mechanism.sin_offset.resize(whole, T::ZERO);
         mechanism.cos_offset.resize(whole, T::ONE);
-        mechanism.blocks = blocks(&mechanism.slots, nv);
-        for m in &mut mechanism.members {
-            m.blocks = m.slots.start / COLUMNS as u32..m.slots.end.div_ceil(COLUMNS as u32);
-            let subtree = &mechanism.slots[m.slots.start as usize..m.slots.end as usize];
-            let dofs = subtree.iter().filter(|&&dof| dof != EMPTY);
-            let (v0, nv) = (m.v0, m.joint.nv() as u32);
-            mechanism.ascending &= dofs.clone().all(|&dof| dof >= v0);
-            let last = dofs.max().map_or(0, |&dof| dof + 1);
-            for row in v0 as usize / COLUMNS..(v0 + nv).div_ceil(COLUMNS as u32) as usize {
-                mechanism.reach[row] = last.max(mechanism.reach[row]);
-            }
+        if mechanism.slots.len() <= SMALL {
+            mechanism.lay_out_rows(nv);
         }
         mechanism
+    }
+
+    /// Where the rows of H go.
+    fn lay_out_rows(&mut self, nv: usize) {
+        self.blocks = blocks(&self.slots, nv);
+        for m in &mut self.members {
+            m.blocks = m.slots.start / COLUMNS as u32..m.slots.end.div_ceil(COLUMNS as u32);
+            let subtree = &self.slots[m.slots.start as usize..m.slots.end as usize];
+            let dofs = subtree.iter().filter(|&&dof| dof != EMPTY);
+            let (v0, nv) = (m.v0, m.joint.nv() as u32);
+            self.ascending &= dofs.clone().all(|&dof| dof >= v0);
+            let last = dofs.max().map_or(0, |&dof| dof + 1);
+            for row in v0 as usize / COLUMNS..(v0 + nv).div_ceil(COLUMNS as u32) as usize {
+                self.reach[row] = last.max(self.reach[row]);
+            }
+        }
     }
 }
 

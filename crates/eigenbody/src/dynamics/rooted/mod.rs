@@ -17,16 +17,13 @@ pub(super) use crba::{CrbaRoom, crba};
 pub(super) use rnea::{RneaRoom, rnea};
 
 use super::posture::Posture;
-use crate::model::{Mechanism, Member, MotionKind, with_twist};
+use crate::model::{Mechanism, Member, MotionKind, SMALL, with_twist};
 use crate::scalar::{Quad, Real, Scalar};
 use crate::spatial::{Motion, ThenZ, Vec3};
 
-/// Up to so many degrees of freedom: in longer chains the axes of the last body collect what every joint rounds.
-const LARGEST: usize = 64;
-
 /// Whether a mechanism is of the size that this is for, and T one number.
 pub(super) fn suits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {
-    mechanism.slots.len() <= LARGEST && size_of::<T>() == size_of::<T::Constant>()
+    mechanism.slots.len() <= SMALL && size_of::<T>() == size_of::<T::Constant>()
 }
 
 /// A body's axes and where its origin stands, seen from its parent's.
