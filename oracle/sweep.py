@@ -28,16 +28,16 @@ quantities = ["kappa", "kappa_weighted", "lambda_min", "lambda_max", "eigenvalue
 
 [[robots]]
 family = "hydra"
-n = { from = 5, to = 24, count = 20 }
+n = { from = 4, to = 16, count = 10 }
 branching = [1.0, 1.5]
 skew = 0.3
 at = ["zag(0)", "curl(0.1)"]
-random = 3998
+random = 7998
 
 [[robots]]
 family = "onion"
 sample = 7
-n = { from = 4, to = 20, scale = "log" }
+n = { from = 4, to = 16, scale = "log" }
 taper = { from = 0.8, to = 1.0 }
 random = 4000
 
@@ -45,7 +45,7 @@ random = 4000
 model = ["puma560", "chain(4, m=2.2, l=1)", "arm.urdf"]
 random = 4000
 """
-CASES = 40 * 4000 + 7 * 4000 + 3 * 4000
+CASES = 20 * 8000 + 7 * 4000 + 3 * 4000
 
 
 def figure(name: str, number: float) -> None:

@@ -26,7 +26,7 @@ struct Task {
     run: fn() -> Outcome,
 }
 
-const TASKS: [Task; 18] = [
+const TASKS: &[Task] = &[
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
     Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },

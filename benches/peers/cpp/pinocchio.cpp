@@ -21,6 +21,8 @@ struct Entry {
   std::vector<int> dofs;  // Pinocchio's number of each of ours
   std::vector<VectorXd> q, v, x;
   MatrixXd H;
+  VectorXd units;
+  double kappa[2] = {0, 0};
   Eigen::SelfAdjointEigenSolver<MatrixXd> solver;
 
   explicit Entry(Robot read) : robot(std::move(read)), dofs(robot.nv) {
@@ -92,6 +94,19 @@ struct Entry {
         H = data->M.selfadjointView<Eigen::Upper>();
         solver.compute(H, Eigen::EigenvaluesOnly);
       };
+      // κ of H, and κ′ of H in units of its own diagonal.
+      const auto conditioning = [this, how](std::size_t k) {
+        pin::crba(model, *data, q[k], how);
+        H = data->M.selfadjointView<Eigen::Upper>();
+        solver.compute(H, Eigen::EigenvaluesOnly);
+        const auto& l = solver.eigenvalues();
+        kappa[0] = l[l.size() - 1] / l[0];
+        units = H.diagonal().cwiseSqrt().cwiseInverse();
+        H = units.asDiagonal() * H * units.asDiagonal();
+        solver.compute(H, Eigen::EigenvaluesOnly);
+        kappa[1] = l[l.size() - 1] / l[0];
+      };
+      quantities[head + "conditioning" + tail] = {conditioning, [this] { return std::vector<double>(kappa, kappa + 2); }};
       quantities[head + "extremes" + tail] = {extremes, [this] {
                                                 const auto& l = solver.eigenvalues();
                                                 return std::vector<double>{l[0], l[l.size() - 1]};

@@ -5,7 +5,10 @@ use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Instant;
 
+use eigenbody::scalar::Unit;
+
 use crate::Outcome;
+use crate::batches::Batches;
 use crate::dynibo::Dynibo;
 use crate::eigen::{Faer, Nalgebra};
 use crate::ours::Ours;
@@ -15,8 +18,6 @@ use crate::robot::{self, Robot, Sample};
 const ROUNDS: usize = 41;
 /// A turn goes over all states again until it took so long (s).
 const LONG_ENOUGH: f64 = 2e-3;
-/// Largest difference allowed from eigenbody's numbers, against the largest of them.
-const TOLERANCE: f64 = 1e-9;
 
 /// Computes quantities of one robot.
 pub trait Contestant {
@@ -26,6 +27,26 @@ pub trait Contestant {
     fn compute(&mut self, quantity: &str, sample: usize, state: &Sample) -> Outcome;
     /// What came out, in eigenbody's order and frames; nothing where the two do not compare.
     fn value(&mut self, quantity: &str) -> Vec<f64>;
+    /// Largest difference allowed from eigenbody's numbers, against the largest of them.
+    fn tolerance(&self) -> f64 {
+        1e-9
+    }
+    /// All samples, again until it took so many seconds; seconds for each.
+    fn turn(&mut self, quantity: &str, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
+        let mut all = || -> Outcome {
+            for (k, state) in samples.iter().enumerate() {
+                self.compute(quantity, k, state)?;
+            }
+            Ok(())
+        };
+        all()?;
+        let (start, mut calls) = (Instant::now(), 0);
+        while start.elapsed().as_secs_f64() < seconds {
+            all()?;
+            calls += samples.len();
+        }
+        Ok(start.elapsed().as_secs_f64() / calls as f64)
+    }
 }
 
 /// A contestant on a robot, here or in a program of its own.
@@ -87,7 +108,7 @@ struct Heat<'a> {
 }
 
 /// Every quantity that some contestant may know, with the conventions of those that have several.
-const QUANTITIES: [&str; 6] = ["rnea", "aba", "crba", "bias", "extremes", "eigenvalues"];
+const QUANTITIES: [&str; 7] = ["rnea", "aba", "crba", "bias", "extremes", "conditioning", "eigenvalues"];
 const CONVENTIONS: [&str; 4] = ["", "-local", "-world", "-only"];
 
 /// Times everything, ROUNDS times in turn, and prints medians: `ROBOT QUANTITY CONTESTANT[-CONVENTION]`, seconds a call.
@@ -99,11 +120,16 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
     }
     let (mut entrants, mut heats) = (Vec::new(), Vec::new());
     for robot in &robots {
-        let here: [(&str, Box<dyn Contestant>); 4] = [
+        let here: [(&str, Box<dyn Contestant>); 9] = [
             ("eigenbody", Box::new(Ours::new(robot)?)),
             ("dynibo", Box::new(Dynibo::new(robot)?)),
             ("nalgebra", Box::new(Nalgebra::new(robot)?)),
             ("faer", Box::new(Faer::new(robot)?)),
+            ("batch", Box::new(Batches::<f64>::new(robot, Unit::Avx512, 1)?)),
+            ("batch-avx2", Box::new(Batches::<f64>::new(robot, Unit::Avx2, 1)?)),
+            ("batch-2", Box::new(Batches::<f64>::new(robot, Unit::Avx512, 2)?)),
+            ("batch-f32", Box::new(Batches::<f32>::new(robot, Unit::Avx512, 1)?)),
+            ("batch-f32-avx2", Box::new(Batches::<f32>::new(robot, Unit::Avx2, 1)?)),
         ];
         for (name, mut contestant) in here {
             let entrant = entrants.len();
@@ -160,21 +186,7 @@ impl<'a> Heat<'a> {
                 let answer = programs[*index].ask(&format!("time {} {}", self.robot.name, self.quantity))?;
                 answer.and_then(|numbers| numbers.first().copied()).ok_or_else(|| "no time".into())
             }
-            Entrant::Here(contestant) => {
-                let mut all = || -> Outcome {
-                    for (k, state) in self.robot.samples.iter().enumerate() {
-                        contestant.compute(&self.quantity, k, state)?;
-                    }
-                    Ok(())
-                };
-                all()?;
-                let (start, mut calls) = (Instant::now(), 0);
-                while start.elapsed().as_secs_f64() < LONG_ENOUGH {
-                    all()?;
-                    calls += self.robot.samples.len();
-                }
-                Ok(start.elapsed().as_secs_f64() / calls as f64)
-            }
+            Entrant::Here(contestant) => contestant.turn(&self.quantity, &self.robot.samples, LONG_ENOUGH),
         }
     }
 
@@ -202,7 +214,7 @@ fn compare(heats: &mut [Heat<'_>], entrants: &mut [Entrant<'_>], programs: &mut 
     for (heat, value) in heats.iter().zip(&values) {
         let same = |other: &Heat<'_>| {
             other.contestant == "eigenbody"
-                && (other.what(), &other.robot.name) == (heat.what(), &heat.robot.name)
+                && (other.what(), &other.robot.name) == (heat.what().replace("entries", "crba").as_str(), &heat.robot.name)
         };
         let Some(ours) = heats.iter().position(same).map(|index| &values[index]) else { continue };
         if value.is_empty() || ours.is_empty() {
@@ -210,7 +222,11 @@ fn compare(heats: &mut [Heat<'_>], entrants: &mut [Entrant<'_>], programs: &mut 
         }
         let largest = ours.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let worst = value.iter().zip(ours).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-        if value.len() != ours.len() || worst.is_nan() || worst > TOLERANCE * largest {
+        let tolerance = match &entrants[heat.entrant] {
+            Entrant::Here(contestant) => contestant.tolerance(),
+            Entrant::There(_) => 1e-9,
+        };
+        if value.len() != ours.len() || worst.is_nan() || worst > tolerance * largest {
             return Err(format!("{}: {worst:e} off, of {largest:e}", heat.name()).into());
         }
     }

@@ -12,6 +12,7 @@
 // H is the book's symbol.
 #![allow(non_snake_case)]
 
+mod batches;
 mod clock;
 mod contest;
 mod dense;

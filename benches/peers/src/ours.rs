@@ -51,7 +51,7 @@ impl<'a> Ours<'a> {
 
 impl Contestant for Ours<'_> {
     fn quantities(&self) -> &'static [&'static str] {
-        &["crba", "rnea", "aba", "bias", "extremes", "eigenvalues"]
+        &["crba", "rnea", "aba", "bias", "extremes", "conditioning", "eigenvalues"]
     }
 
     fn compute(&mut self, quantity: &str, sample: usize, Sample { q, v, x }: &Sample) -> Outcome {
@@ -65,6 +65,15 @@ impl Contestant for Ours<'_> {
                 mass_matrix_into(model, q, crba, H)?;
                 *ends = extreme_eigenvalues_into(H, ones, room)?;
             }
+            "conditioning" => {
+                mass_matrix_into(model, q, crba, H)?;
+                let [min, max] = extreme_eigenvalues_into(H, ones, room)?;
+                for (d, B) in out.iter_mut().enumerate() {
+                    *B = H[(d, d)];
+                }
+                let [own_min, own_max] = extreme_eigenvalues_into(H, out, room)?;
+                *ends = [max / min, own_max / own_min];
+            }
             _ => *ends = extreme_eigenvalues_into(&given[sample], ones, room)?,
         }
         Ok(())
@@ -73,7 +82,7 @@ impl Contestant for Ours<'_> {
     fn value(&mut self, quantity: &str) -> Vec<f64> {
         match quantity {
             "crba" => self.H.as_slice().to_vec(),
-            "extremes" | "eigenvalues" => self.ends.to_vec(),
+            "extremes" | "conditioning" | "eigenvalues" => self.ends.to_vec(),
             _ => self.out.clone(),
         }
     }

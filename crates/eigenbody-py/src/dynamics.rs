@@ -14,7 +14,7 @@ use eigenbody::factor::{
 use eigenbody::model::Coupling;
 use eigenbody::{Error, InputError, Matrix, Reduction};
 use numpy::ndarray::{ArrayView, IxDyn};
-use numpy::{PyArray, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{PyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -187,8 +187,8 @@ fn apply<'py, T: Precision, const A: usize>(
     whole: Option<Whole<T, A>>,
 ) -> Result<Bound<'py, PyAny>, Failure> {
     let robot = T::robot(shared);
-    if let (None, Some(rows)) = (out, quick_rows(robot, &arguments)) {
-        return quick(robot, arguments[0].1.py(), &rows, shape, kernel);
+    if let Some(done) = quick(robot, &arguments, shape, out, &kernel) {
+        return done;
     }
     let mut rows = Vec::with_capacity(A);
     for (what, value, width) in arguments {
@@ -223,42 +223,46 @@ fn apply<'py, T: Precision, const A: usize>(
     })
 }
 
-/// All arguments, if each is one contiguous row of the right type and width, and the robot is small.
-fn quick_rows<T: Number, const A: usize>(
+/// One row of contiguous numbers of the right type, with no more ado than there must be: for a small robot that would cost more than
+/// the result. None if it is something else that is asked.
+fn quick<'py, T: Number, const A: usize>(
     robot: &Robot<T>,
-    arguments: &[Argument<'_, '_>; A],
-) -> Option<[Vec<T>; A]> {
+    arguments: &[Argument<'_, 'py>; A],
+    shape: &[usize],
+    out: Option<&Bound<'py, PyAny>>,
+    kernel: impl Fn(&Robot<T>, &mut Workspaces<T>, [&[T]; A], &mut [T]) -> Result<(), Error>,
+) -> Option<Result<Bound<'py, PyAny>, Failure>> {
     if robot.model.nv() > QUICK {
         return None;
     }
-    let mut rows = [const { Vec::new() }; A];
+    let mut rows: [Option<PyReadonlyArray1<'py, T>>; A] = [const { None }; A];
     for (row, (_, value, width)) in rows.iter_mut().zip(arguments) {
         let array = value.cast::<PyArray1<T>>().ok().filter(|array| array.len() == *width)?;
-        *row = array.to_vec().ok()?;
+        *row = Some(array.try_readonly().ok()?);
     }
-    Some(rows)
-}
-
-/// One row into a new array, with no more ado than there must be: for a small robot that would cost more than its numbers.
-fn quick<'py, T: Number, const A: usize>(
-    robot: &Robot<T>,
-    py: Python<'py>,
-    rows: &[Vec<T>; A],
-    shape: &[usize],
-    kernel: impl Fn(&Robot<T>, &mut Workspaces<T>, [&[T]; A], &mut [T]) -> Result<(), Error>,
-) -> Result<Bound<'py, PyAny>, Failure> {
-    robot.with(|work| {
+    let mut all: [&[T]; A] = [&[]; A];
+    for (slice, row) in all.iter_mut().zip(&rows) {
+        *slice = row.as_ref()?.as_slice().ok()?;
+    }
+    if let Some(out) = out {
+        let array = out.cast::<PyArrayDyn<T>>().ok().filter(|array| array.shape() == shape)?;
+        let mut guard = array.try_readwrite().ok().filter(|_| array.is_c_contiguous())?;
+        let slice = guard.as_slice_mut().ok()?;
+        let done = robot.with(|work| kernel(robot, work, all, slice));
+        return Some(done.map(|()| out.clone()).map_err(Failure::from));
+    }
+    Some(robot.with(|work| {
         let mut result = std::mem::take(&mut work.result);
         result.resize(shape.iter().product(), T::ZERO);
-        let done = kernel(robot, work, std::array::from_fn(|k| rows[k].as_slice()), &mut result);
-        let array = done.map_err(Failure::from).and_then(|()| {
-            let view =
-                ArrayView::from_shape(IxDyn(shape), &result).map_err(|error| Failure::input("out", error))?;
-            Ok(PyArray::from_array(py, &view).into_any())
+        let done = kernel(robot, work, all, &mut result).map_err(Failure::from);
+        let array = done.and_then(|()| {
+            let view = ArrayView::from_shape(IxDyn(shape), &result);
+            let view = view.map_err(|error| Failure::input("out", error))?;
+            Ok(PyArray::from_array(arguments[0].1.py(), &view).into_any())
         });
         work.result = result;
         array
-    })
+    }))
 }
 
 /// What [`apply`] needs to know of each function.

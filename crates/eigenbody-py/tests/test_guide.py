@@ -28,6 +28,9 @@ def test_results_plot_themselves():
     robot = eigenbody.Model("puma560")
     assert robot.conditioning().plot().get_xlabel() == "share of the mode"
     assert robot.conditioning(robot.random(1, 20)).plot().get_yscale() == "log"
+    found = robot.check(samples=64)
+    assert len(found.plot().patches) == len(found.worst()["softest"]) > 1
+    assert robot.worst_case(samples=64)["kappa"]._repr_html_().startswith("<table>")
 
 
 def test_results_are_readable():

@@ -109,3 +109,12 @@ def state_of(state: State, engine: str, v: np.ndarray) -> State:
         changed.velocity, changed.omega = state.R @ v[:3], state.R @ v[3:6]
     changed.rate = v[6]
     return changed
+
+
+def test_coordinates_come_back(robot):
+    q = robot.random(1, 4)
+    v = RNG.standard_normal((4, robot.nv))
+    for engine in ["pinocchio", "mujoco", "drake"]:
+        layout = Layout(robot, engine)
+        assert np.array_equal(layout.q_from(layout.q_to(q)), q)
+        assert np.allclose(layout.v_from(q, layout.v_to(q, v)), v, atol=1e-15)

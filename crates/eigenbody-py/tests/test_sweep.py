@@ -28,7 +28,7 @@ n = { from = 4, to = 12, count = 5 }
 branching = [1.0, 2.0]
 skew = 0.3
 at = ["zag(0)", "curl(0.1)"]
-random = 400
+random = 700
 
 [[robots]]
 family = "onion"
@@ -42,7 +42,7 @@ model = ["puma560", "chain(4, m=2.2, l=1)"]
 at = "zero"
 random = 500
 """
-CASES = 10 * 402 + 60 + 2 * 501
+CASES = 10 * 702 + 60 + 2 * 501
 
 
 @pytest.fixture(scope="module")

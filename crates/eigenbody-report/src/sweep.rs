@@ -221,6 +221,6 @@ fn persist(temporary: tempfile::NamedTempFile, path: &Path) -> Result<(), SweepF
 fn write_whole(path: &Path, text: &[u8]) -> Result<(), SweepFolderError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut file = temporary(folder)?;
-    file.write_all(text).map_err(|source| io_error(path, source))?;
+    file.as_file_mut().write_all(text).map_err(|source| io_error(path, source))?;
     persist(file, path)
 }

@@ -41,17 +41,27 @@ struct Contest {
     peers: &'static [&'static str],
 }
 
-const CONTESTS: [Contest; 6] = [
+const CONTESTS: [Contest; 7] = [
     Contest { quantity: "rnea", title: "Inverse dynamics", peers: &["pinocchio", "dynibo"] },
     Contest { quantity: "aba", title: "Forward dynamics", peers: &["pinocchio", "dynibo"] },
     Contest { quantity: "crba", title: "Mass matrix", peers: &["pinocchio", "mujoco", "dynibo"] },
     Contest { quantity: "bias", title: "Bias force C(q, v)", peers: &["pinocchio", "mujoco"] },
     Contest { quantity: "extremes", title: "Mass matrix, λmin and λmax", peers: &["pinocchio"] },
+    Contest { quantity: "conditioning", title: "Mass matrix, κ and κ′", peers: &["pinocchio"] },
     Contest {
         quantity: "eigenvalues",
         title: "λmin and λmax of a given matrix",
         peers: &["nalgebra", "faer", "lapack"],
     },
+];
+
+/// Quantities of batches, their titles, and what peers call them.
+const BATCHES: [(&str, &str, &str); 5] = [
+    ("rnea", "Inverse dynamics", "rnea"),
+    ("aba", "Forward dynamics", "aba"),
+    ("crba", "Mass matrix, both triangles", "crba"),
+    ("entries", "Mass matrix, entries that are not zero between branches", "crba"),
+    ("conditioning", "κ and κ′", "conditioning"),
 ];
 
 /// Measures, prints, writes `peers.json` into the build directory and the section of docs/performance.md.
@@ -152,6 +162,41 @@ fn text(figures: &Figures) -> String {
             .collect();
         table(title, &head, &ROBOTS.map(row))
     });
+    let batches = BATCHES.map(|(quantity, title, theirs)| {
+        let row = |(robot, base, _): (&str, &str, &str)| {
+            let head = format!("{robot} {quantity} ");
+            let of = |name: &str| {
+                Some(figures.get(&format!("{head}{name}"))).filter(|seconds| seconds.is_finite())
+            };
+            let their_head = format!("{robot} {theirs} ");
+            let peer = best(figures, &their_head, "pinocchio").map(|(seconds, _)| seconds);
+            let cells = |name: &str, reference: Option<f64>| match (of(name), reference) {
+                (Some(seconds), Some(reference)) => [time(seconds), format!("{:.2}×", reference / seconds)],
+                _ => ["–".to_owned(), "–".to_owned()],
+            };
+            let label = if base == "floating" { format!("{robot}, floating") } else { robot.to_owned() };
+            [label, peer.map_or_else(|| "–".to_owned(), time)]
+                .into_iter()
+                .chain(cells("batch", peer))
+                .chain(cells("batch-avx2", peer))
+                .chain(cells("batch-2", of("batch")))
+                .chain(cells("batch-f32", of("batch")))
+                .collect::<Vec<_>>()
+        };
+        let head = [
+            "robot",
+            "pinocchio",
+            "one core",
+            "ratio",
+            "AVX2",
+            "ratio",
+            "two cores",
+            "to one",
+            "f32",
+            "to f64",
+        ];
+        table(&format!("Batches: {title}"), &head, &ROBOTS.map(row))
+    });
     let fastest = |quantity: &str| {
         let heads = ROBOTS.map(|(robot, ..)| format!("{robot} {quantity} "));
         let names = heads
@@ -164,5 +209,6 @@ fn text(figures: &Figures) -> String {
         names.join(", ")
     };
     let wins = ["rnea", "aba", "crba"].map(|quantity| format!("{quantity} {}", fastest(quantity))).join("; ");
+    let tables = tables.into_iter().chain(batches).collect::<Vec<_>>();
     format!("{}\nPinocchio's best builds and conventions: {wins}.\n", tables.join("\n"))
 }

@@ -20,6 +20,7 @@ Floats = NDArray[np.float64]
 # Okabe and Ito's colours: told apart by the colour-blind.
 BLUE, ORANGE = "#0072B2", "#D55E00"
 SHOWN = 6  # entries of a mode that are printed
+MEASURES = {"kappa": "κ", "kappa_weighted": "κ′", "lambda_min": "λmin"}
 
 
 def _number(x: float | None, unit: str = "") -> str:
@@ -202,6 +203,10 @@ class WorstCase:
     def __repr__(self) -> str:
         return f"<worst {self.measure} {self.worst:.6g}, median {self.median:.6g}, one in ten beyond {self.tenth:.6g}>"
 
+    def _repr_html_(self) -> str:
+        rows = [("worst", self.worst), ("median", self.median), ("one in ten beyond", self.tenth)]
+        return _html(MEASURES.get(self.measure, self.measure), [(name, _number(x)) for name, x in rows])
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -302,9 +307,21 @@ class Diagnosis:
                 return dict(one)
         raise KeyError(measure)
 
+    def plot(self, measure: str = "kappa_weighted", ax: Any = None) -> Any:
+        """Who moves in the softest motion where a measure is worst, as bars on `ax`; returns the axes."""
+        worst = self.worst(measure)
+        ax = _axes(ax)
+        parts = worst["softest"][: 2 * SHOWN]
+        places = np.arange(len(parts))
+        ax.barh(places, [part["share"] for part in parts], color=BLUE)
+        ax.set_yticks(places, [part["joint"] for part in parts])
+        ax.invert_yaxis()
+        ax.set_xlabel("share of the softest motion")
+        ax.set_title(f"worst {MEASURES.get(measure, measure)} = {_number(worst['worst'])}")
+        return ax
+
     def _rows(self) -> list[tuple[str, str]]:
-        names = {"kappa": "κ", "kappa_weighted": "κ′", "lambda_min": "λmin"}
-        rows = [(f"worst {names.get(one['measure'], one['measure'])}", _number(one["worst"])) for one in self._dict["worst"]]
+        rows = [(f"worst {MEASURES.get(one['measure'], one['measure'])}", _number(one["worst"])) for one in self._dict["worst"]]
         rows += [(finding.severity, finding.message) for finding in self.findings]
         if not self.findings:
             rows.append(("findings", "none"))

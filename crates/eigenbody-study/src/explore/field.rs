@@ -50,7 +50,7 @@ pub fn line(
 
 /// The measures over the ranges of two coordinates, the others as in q; `coordinates` are their places in q.
 ///
-/// Method and errors: as [`line`].
+/// Method and errors: as [`line()`].
 pub fn plane(
     model: &Model<f64>,
     reduction: Reduction,

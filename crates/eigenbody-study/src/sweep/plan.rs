@@ -13,7 +13,7 @@ use super::spec::{Axis, Group, Robots, Spec};
 use crate::{Cell, Field};
 
 /// What a chunk is meant to cost: n² for H and its extremes, and so much for each case, in units of some ten nanoseconds.
-const COST_OF_CHUNK: f64 = 1e8;
+const COST_OF_CHUNK: f64 = 1.5e8;
 const COST_OF_CASE: f64 = 500.0;
 /// Most cases of a chunk.
 const LARGEST: u64 = 1 << 14;

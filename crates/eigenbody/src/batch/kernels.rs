@@ -13,6 +13,8 @@ use crate::scalar::{Batched, Real, Scalar, Wide};
 #[allow(missing_debug_implementations)]
 pub struct Masses<'a, T> {
     pub(super) layout: &'a Layout,
+    /// Which entry each number of the result is.
+    pub(super) places: &'a [u32],
     pub(super) H: &'a mut [T],
 }
 
@@ -36,8 +38,7 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         (): &mut (),
     ) {
         columns.update(model, self.layout, q);
-        let size = self.layout.places.len();
-        from_lanes(&columns.H, &self.layout.places, lanes, &mut self.H[first * size..]);
+        from_lanes(&columns.H, self.places, lanes, &mut self.H[first * self.places.len()..]);
     }
 }
 

@@ -29,8 +29,8 @@ pub(super) struct Layout {
     pub packed: Vec<u32>,
     /// By place in pre-order: the degree of freedom.
     order: Vec<u32>,
-    /// Entries of the columns, without the zero.
-    entries: usize,
+    /// All entries of the columns, without the zero: 0, 1, 2..
+    pub all: Vec<u32>,
 }
 
 impl Layout {
@@ -72,7 +72,17 @@ impl Layout {
             }
         }
         let order = order.into_iter().map(|d| d as u32).collect();
-        Self { nv, rank, subtree, start, places, packed, order, entries: entries as usize }
+        Self { nv, rank, subtree, start, places, packed, order, all: (0..entries).collect() }
+    }
+
+    /// Row and column of every entry.
+    pub fn pairs(&self) -> Vec<(usize, usize)> {
+        let ends = self.start.iter().skip(1).copied().chain([self.all.len() as u32]);
+        let columns = self.start.iter().zip(ends).enumerate();
+        let column =
+            |(e, (&start, end)): (usize, (&u32, u32))| (0..(end - start) as usize).map(move |k| (e + k, e));
+        let of = |(d, e): (usize, usize)| (self.order[d] as usize, self.order[e] as usize);
+        columns.flat_map(column).map(of).collect()
     }
 
     /// Degrees of freedom in pre-order.
@@ -110,7 +120,7 @@ impl<W: Wide> Columns<W> {
             posture: Posture::new(&model.mechanism),
             Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
             F: vec![Force::ZERO; layout.nv],
-            H: vec![W::ZERO; layout.entries + 1],
+            H: vec![W::ZERO; layout.all.len() + 1],
         }
     }
 
@@ -121,7 +131,7 @@ impl<W: Wide> Columns<W> {
         let members = &model.mechanism.members;
         for (i, m) in members.iter().enumerate().rev() {
             let mut Ic = m.I.map(W::constant);
-            if !m.is_leaf {
+            if !m.place.leaf {
                 Ic += self.Ic[m.level as usize];
             }
             let (first, end) = (layout.subtree[i].0 as usize, layout.subtree[i].1 as usize);
@@ -141,7 +151,7 @@ impl<W: Wide> Columns<W> {
             };
             self.put_rows(layout, &members[m.parent as usize - 1], first, end);
             let sum = &mut self.Ic[m.level as usize - 1];
-            if !m.is_last {
+            if !m.place.last {
                 up += *sum;
             }
             *sum = up;

@@ -165,7 +165,47 @@ impl<'m, T: Lanes> Batch<'m, T> {
         length("H", H.len(), count * size)?;
         let (chunk, layout) = (chunk(count), &Layout::new(model));
         let parts = chunks(q, chunk * nq).zip(chunks_mut(H, chunk * size));
-        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { layout, H }));
+        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { layout, places: &layout.places, H }));
+        Ok(())
+    }
+
+    /// The entries (d, e) of H that [`mass_matrix_entries`](Self::mass_matrix_entries) gives, in its order: e on the path from the root to
+    /// d, or d itself. All others are zero, or mirror these.
+    pub fn entries(&self) -> Vec<(usize, usize)> {
+        Layout::new(self.model).pairs()
+    }
+
+    /// H(q) of every configuration, but for zeros between branches and the other triangle.
+    ///
+    /// | name | shape | unit |
+    /// |------|-------|------|
+    /// | `q` | k × `nq` | rad, m, unit quaternions |
+    /// | `entries` | k × number of [`entries`](Self::entries) | kg m², kg m, kg |
+    ///
+    /// Method and numerics: as [`mass_matrix`](crate::mass_matrix). A humanoid has 1225 numbers in H and a third of them here: where
+    /// matrices are many, memory is what takes the time.
+    ///
+    /// Errors: [`BatchError`]; `entries` then holds no result.
+    ///
+    /// ```
+    /// use eigenbody::{Family, Model, batch::Batch};
+    /// let tree: Model<f64> = Family::hydra(7, 2.0, 0.4, 1.0)?.model()?;
+    /// let batch = Batch::new(&tree);
+    /// // Of a binary tree of three levels: 7 on the diagonal, 6 with the body next to it, 4 with the root.
+    /// assert_eq!(batch.entries().len(), 17);
+    /// let mut entries = vec![0.0; 2 * 17];
+    /// batch.mass_matrix_entries(&[0.1; 14], &mut entries)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn mass_matrix_entries(&self, q: &[T], entries: &mut [T]) -> Result<(), BatchError> {
+        let Self { model, unit } = *self;
+        model.check_dense().map_err(BatchError::Shape)?;
+        let layout = &Layout::new(model);
+        let (count, nq, size) = (self.count(q)?, model.nq(), layout.all.len());
+        length("entries", entries.len(), count * size)?;
+        let chunk = chunk(count);
+        let parts = chunks(q, chunk * nq).zip(chunks_mut(entries, chunk * size));
+        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { layout, places: &layout.all, H }));
         Ok(())
     }
 
@@ -233,8 +273,12 @@ impl<'m, T: Lanes> Batch<'m, T> {
                 found: q.len(),
             }));
         }
-        let clean = check("q", q, q.len()).is_ok();
-        if clean && model.mechanism.quaternions.is_empty() {
+        let unit = self.unit;
+        let is_good = |q: &[T]| {
+            let mut quaternions = q.chunks_exact(nq.max(1)).map(|q| model.check_quaternions(q).is_ok());
+            T::all_finite(unit, q) && (model.mechanism.quaternions.is_empty() || quaternions.all(|good| good))
+        };
+        if chunks(q, chunk(count) * nq).all(is_good) {
             return Ok(count);
         }
         for (index, q) in q.chunks_exact(nq.max(1)).enumerate() {
@@ -247,6 +291,9 @@ impl<'m, T: Lanes> Batch<'m, T> {
     fn check_v(&self, what: &'static str, v: &[T], count: usize) -> Result<(), BatchError> {
         let nv = self.model.nv();
         length(what, v.len(), count * nv)?;
+        if chunks(v, chunk(count) * nv).all(|v| T::all_finite(self.unit, v)) {
+            return Ok(());
+        }
         check(what, v, v.len()).map_err(|error| match error {
             InputError::NotFinite { what, index } => BatchError::Configuration {
                 index: index / nv,
@@ -266,7 +313,11 @@ fn length(what: &'static str, found: usize, expected: usize) -> Result<(), Batch
 
 /// Configurations of a chunk: a few chunks for each thread, whole groups.
 fn chunk(count: usize) -> usize {
-    count.div_ceil(4 * rayon::current_num_threads()).next_multiple_of(GROUP).max(CHUNK)
+    let chunks = match rayon::current_num_threads() {
+        1 => 1,
+        threads => 4 * threads,
+    };
+    count.div_ceil(chunks).next_multiple_of(GROUP).max(CHUNK)
 }
 
 fn chunks<T: Sync>(x: &[T], size: usize) -> rayon::slice::Chunks<'_, T> {
@@ -289,6 +340,8 @@ fn first(failed: Vec<Option<(usize, Error)>>, chunk: usize) -> Result<(), BatchE
 /// Numbers that a batch may be of: f32 and f64. The kernels are compiled here, once, not again by each crate that calls them.
 pub trait Lanes: Batched {
     #[doc(hidden)]
+    fn all_finite(unit: Unit, x: &[Self]) -> bool;
+    #[doc(hidden)]
     fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>);
     #[doc(hidden)]
     fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>);
@@ -304,6 +357,9 @@ pub trait Lanes: Batched {
 macro_rules! lanes {
     ($T:ident) => {
         impl Lanes for $T {
+            fn all_finite(unit: Unit, x: &[Self]) -> bool {
+                Self::dispatch_wide(unit, Finite { x })
+            }
             fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) {
                 Self::dispatch_wide(unit, Over { model, q, kernel });
             }
@@ -324,6 +380,33 @@ macro_rules! lanes {
 
 lanes!(f32);
 lanes!(f64);
+
+/// Whether all numbers are finite.
+struct Finite<'a, T> {
+    x: &'a [T],
+}
+
+impl<T: Batched> WideAlgorithm<T> for Finite<'_, T> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<W: Wide<Constant = T>>(self) -> bool {
+        // 0 x is zero for a finite number and for no other.
+        let mut sums = [W::ZERO; 4];
+        let blocks = self.x.chunks_exact(4 * W::WIDTH);
+        let mut all = blocks.remainder().iter().fold(true, |all, x| all & x.is_finite());
+        for block in blocks {
+            for (sum, x) in sums.iter_mut().zip(block.chunks_exact(W::WIDTH)) {
+                let x = W::from_slice(x);
+                *sum += x * W::ZERO;
+            }
+        }
+        for sum in sums {
+            all &= !sum.select_lt(W::ONE, W::ZERO, W::ONE).any_above(T::ZERO);
+        }
+        all
+    }
+}
 
 /// A kernel over the configurations of a chunk.
 struct Over<'a, T, K> {

@@ -40,24 +40,25 @@ pub(super) fn into_lanes<W: Wide>(rows: &[W::Constant], n: usize, lanes: usize, 
 pub(super) fn from_lanes<W: Wide>(x: &[W], places: &[u32], lanes: usize, rows: &mut [W::Constant]) {
     let (n, width) = (places.len(), W::WIDTH);
     let mut at = [0; MOST_LANES];
-    let mut first = 0;
-    while first < n {
-        // The last block overlaps the one before it. Where a row is shorter than a block the block reaches into the rows after its own,
-        // which are written later.
-        let j = first.min(n.saturating_sub(width));
-        for (k, at) in at[..width].iter_mut().enumerate() {
-            *at = places[(j + k).min(n - 1)] as usize;
-        }
-        let mut lane = 0;
-        while lane < lanes {
+    // A few rows from beginning to end: whole lines of memory, one after the other.
+    let mut lane = 0;
+    while lane < lanes {
+        let mut first = 0;
+        while first < n {
+            // The last block overlaps the one before it. Where a row is shorter than a block the block reaches into the rows after its
+            // own, which are written later.
+            let j = first.min(n.saturating_sub(width));
+            for (k, at) in at[..width].iter_mut().enumerate() {
+                *at = places[(j + k).min(n - 1)] as usize;
+            }
             for (k, row) in W::turn(x, &at, lane).into_iter().enumerate() {
                 if lane + k < lanes {
                     write(row, &mut rows[(lane + k) * n + j..]);
                 }
             }
-            lane += BLOCK;
+            first += width;
         }
-        first += width;
+        lane += BLOCK;
     }
 }
 

@@ -15,10 +15,11 @@
 
 use super::posture::{Posture, position, slide};
 use super::rnea::{RneaWorkspace, check_out, forces};
+use super::rooted;
 use crate::error::{Error, NotPositiveDefinite};
 use crate::joint::Column;
 use crate::model::{Model, MotionKind, with_twist};
-use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 
 /// Room for [`forward_dynamics_into`].
@@ -26,13 +27,14 @@ use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
 pub struct AbaWorkspace<T> {
     bias: RneaWorkspace<T>,
     /// By level: what the subtrees of a body add to its own articulated inertia and bias force. Written and read by the backward sweep.
-    carried: Vec<(ArticulatedInertia<T>, Force<T>)>,
+    carried: Vec<Handed<T>>,
     /// By level, the world first: accelerations on the path to the body at hand.
     a: Vec<Motion<T>>,
     /// nv: what q̈ is made of. Written by the backward sweep.
     hinges: Vec<Hinge<T>>,
     /// nv: hinge inertias. Written by the backward sweep.
     D: Vec<T>,
+    rooted: rooted::AbaRoom<T>,
 }
 
 /// u, U = IA S, and D⁻¹ of a degree of freedom.
@@ -53,6 +55,7 @@ impl<T: Scalar> AbaWorkspace<T> {
             a: vec![Motion::ZERO; levels],
             hinges: vec![Hinge { u: T::ZERO, U: Force::ZERO, D_inverse: T::ZERO }; nv],
             D: vec![T::ZERO; nv],
+            rooted: rooted::AbaRoom::new(model),
         }
     }
 }
@@ -133,6 +136,16 @@ impl<T: Real> Algorithm<T> for Aba<'_, T, T> {
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         self.sweep::<S>();
     }
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
+        if !rooted::suits::<T>(&self.model.mechanism) {
+            return self.run::<S>();
+        }
+        let Self { model, q, v, tau, workspace: AbaWorkspace { bias, D, rooted, .. }, vdot } = self;
+        bias.posture.update::<S>(&model.mechanism, q);
+        let RneaWorkspace { posture, zeros, rooted: moving, .. } = bias;
+        rooted::aba::<T, S::Columns>(model, posture, [q, v, zeros, tau], moving, rooted, (D, vdot));
+    }
 }
 
 impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
@@ -140,7 +153,7 @@ impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
     #[inline(always)]
     pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
         let Self { model, q, v, tau, workspace, vdot } = self;
-        let AbaWorkspace { bias, carried, a, hinges, D } = workspace;
+        let AbaWorkspace { bias, carried, a, hinges, D, .. } = workspace;
         bias.posture.update::<S>(&model.mechanism, q);
         let zeros = std::mem::take(&mut bias.zeros);
         forces::<S>(model, q, v, &zeros, bias);
@@ -150,6 +163,9 @@ impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
     }
 }
 
+/// What a body's children hand down: inertia and bias force.
+type Handed<T> = (ArticulatedInertia<T>, Force<T>);
+
 /// Eliminates the hinges, tips first.
 #[inline(always)]
 fn inwards<S: Scalar>(
@@ -157,16 +173,18 @@ fn inwards<S: Scalar>(
     q: &[S::Stored],
     tau: &[S::Stored],
     RneaWorkspace { posture, f, .. }: &RneaWorkspace<S::Stored>,
-    carried: &mut [(ArticulatedInertia<S::Stored>, Force<S::Stored>)],
+    carried: &mut [Handed<S::Stored>],
     hinges: &mut [Hinge<S::Stored>],
     D: &mut [S::Stored],
 ) {
     for (i, m) in model.mechanism.members.iter().enumerate().rev() {
-        let (mut IA_i, mut p_i) = (m.I.articulated().map(S::constant), f[i + 1].map(S::load));
-        if !m.is_leaf {
+        let (body, f_i) = (m.I.map(S::constant), f[i + 1].map(S::load));
+        let (mut IA_i, mut p_i) = if m.place.leaf {
+            (body.articulated(), f_i)
+        } else {
             let (IA, p) = &carried[m.level as usize];
-            (IA_i, p_i) = (IA_i + IA.map(S::load), p_i + p.map(S::load));
-        }
+            (IA.map(S::load).plus_body(body), f_i + p.map(S::load))
+        };
         let mut eliminate =
             Eliminate { IA: &mut IA_i, p: &mut p_i, tau, hinges, D, armature: &model.armature };
         let d = m.v0 as usize;
@@ -191,7 +209,7 @@ fn inwards<S: Scalar>(
             MotionKind::Other => posture.placed::<S>(i).transpose_both(IA_i, p_i),
         };
         let (IA, p) = &mut carried[m.level as usize - 1];
-        if !m.is_last {
+        if !m.place.last {
             (IA_up, p_up) = (IA_up + IA.map(S::load), p_up + p.map(S::load));
         }
         (*IA, *p) = (IA_up.map(S::store), p_up.map(S::store));

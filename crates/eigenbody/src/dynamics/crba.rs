@@ -12,10 +12,11 @@
 
 use super::posture::{Posture, position, slide};
 use super::rnea::check_out;
+use super::rooted;
 use crate::error::InputError;
 use crate::matrix::Matrix;
 use crate::model::{EMPTY, Mechanism, Member, Model, MotionKind, with_twist};
-use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{Force, Motion, Placed, PseudoInertia, Rotation, ThenZ, Vec3};
 use std::ops::Range;
 
@@ -31,6 +32,7 @@ pub struct CrbaWorkspace<T> {
     /// Seven rows, one number a slot: F of every degree of freedom, in the frame of the body that it has been carried to, and its product
     /// with a column of S.
     F: [Vec<T>; ROWS],
+    rooted: rooted::CrbaRoom<T>,
 }
 
 impl<T: Scalar> CrbaWorkspace<T> {
@@ -40,6 +42,7 @@ impl<T: Scalar> CrbaWorkspace<T> {
             posture: Posture::new(&model.mechanism),
             Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
             F: [0; ROWS].map(|_| vec![T::ZERO; model.mechanism.slots.len()]),
+            rooted: rooted::CrbaRoom::new(&model.mechanism),
         }
     }
 }
@@ -87,7 +90,6 @@ pub fn mass_matrix_into<T: Real>(
     model.check_q(q)?;
     check_out("rows of H", H.rows(), model.nv())?;
     check_out("columns of H", H.cols(), model.nv())?;
-    H.fill(T::ZERO);
     dispatch_one(Crba { model, q, workspace, H });
     Ok(())
 }
@@ -104,7 +106,17 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
     #[inline(always)]
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         let Self { model, q, workspace, H } = self;
+        H.fill(T::ZERO);
         crba::<S, _>(model, q, workspace, H);
+    }
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
+        if !(rooted::suits::<T>(&self.model.mechanism) && self.model.mechanism.ascending) {
+            return self.run::<S>();
+        }
+        let Self { model, q, workspace: CrbaWorkspace { posture, rooted, .. }, H } = self;
+        posture.update::<S>(&model.mechanism, q);
+        rooted::crba::<T, S::Columns>(model, posture, q, rooted, H);
     }
 }
 
@@ -140,14 +152,14 @@ impl<T: Real> Entries<T> for Matrix<T> {
 pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
     model: &Model<S::Constant>,
     q: &[S::Stored],
-    CrbaWorkspace { posture, Ic, F }: &mut CrbaWorkspace<S::Stored>,
+    CrbaWorkspace { posture, Ic, F, .. }: &mut CrbaWorkspace<S::Stored>,
     H: &mut H,
 ) {
     let Mechanism { members, slots, .. } = &model.mechanism;
     posture.update::<S>(&model.mechanism, q);
     for (i, m) in members.iter().enumerate().rev() {
         let mut Ic_i = m.I.map(S::constant);
-        if !m.is_leaf {
+        if !m.place.leaf {
             Ic_i += Ic[m.level as usize].map(S::load);
         }
         own_block::<S, H>(model, posture, m, Ic_i, F, H);
@@ -174,7 +186,7 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
         };
         put_rows::<S, H>(posture, slots, m, &members[m.parent as usize - 1], F, H);
         let sum = &mut Ic[m.level as usize - 1];
-        if !m.is_last {
+        if !m.place.last {
             up += sum.map(S::load);
         }
         *sum = up.map(S::store);

@@ -19,6 +19,7 @@ mod posture;
 mod reduction;
 mod reroot;
 mod rnea;
+mod rooted;
 
 pub(crate) use aba::Aba;
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};

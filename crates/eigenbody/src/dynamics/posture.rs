@@ -1,16 +1,16 @@
 //! The position pass of the fast kernels: sines and cosines of all hinges at once, and where all other joints stand.
 
-use crate::model::{Mechanism, Member, MotionKind};
+use crate::model::{COLUMNS, Mechanism, Member, MotionKind};
 use crate::scalar::{Scalar, sin_cos_all};
 use crate::spatial::{Mat3, Motion, Placed, Transform, Vec3};
 
 /// A mechanism at q.
 #[derive(Debug, Clone)]
 pub(crate) struct Posture<T> {
-    /// N: the angle of each hinge, zero for other joints; sine and cosine of angle and offset.
+    /// N, rounded up to whole columns: the angle of each hinge, zero for other joints; sine and cosine of angle and offset.
     angle: Vec<T>,
-    sin: Vec<T>,
-    cos: Vec<T>,
+    pub sin: Vec<T>,
+    pub cos: Vec<T>,
     /// From the parent to the body, and columns of S by DoF: for joints that are neither hinge nor slide.
     pub X: Vec<Transform<T>>,
     pub S: Vec<Motion<T>>,
@@ -23,7 +23,9 @@ impl<T: Scalar> Posture<T> {
         let (bodies, dofs) = others
             .map(|(i, m)| (i + 1, m.v0 as usize + m.joint.nv()))
             .fold((0, 0), |(i, d), other| (i.max(other.0), d.max(other.1)));
-        let zeros = vec![T::ZERO; n];
+        // Single numbers fill the columns of any scalar that they are stored for.
+        let width = if size_of::<T>() == size_of::<T::Constant>() { COLUMNS } else { 1 };
+        let zeros = vec![T::ZERO; n.next_multiple_of(width)];
         Self {
             angle: zeros.clone(),
             sin: zeros.clone(),
@@ -40,10 +42,14 @@ impl<T: Scalar> Posture<T> {
             *angle = if m.motion == MotionKind::Hinge { q[m.q0 as usize] } else { T::ZERO };
         }
         sin_cos_all::<S>(angle, sin, cos);
-        let offsets = mechanism.sin_offset.iter().zip(&mechanism.cos_offset);
-        for ((sin, cos), (&s0, &c0)) in sin.iter_mut().zip(cos).zip(offsets) {
-            let (s, c, s0, c0) = (S::load(*sin), S::load(*cos), S::constant(s0), S::constant(c0));
-            (*sin, *cos) = (s.mul_add(c0, c * s0).store(), c.mul_add(c0, -(s * s0)).store());
+        let (s0, c0) =
+            (mechanism.sin_offset.chunks_exact(S::COLUMNS), mechanism.cos_offset.chunks_exact(S::COLUMNS));
+        let (sin, cos) = (sin.chunks_exact_mut(S::COLUMNS), cos.chunks_exact_mut(S::COLUMNS));
+        for ((sin, cos), (s0, c0)) in sin.zip(cos).zip(s0.zip(c0)) {
+            let (s, c) = (S::load_columns(sin), S::load_columns(cos));
+            let (s0, c0) = (S::constant_columns(s0), S::constant_columns(c0));
+            S::store_columns(s.mul_add(c0, c * s0), sin);
+            S::store_columns(c.mul_add(c0, -(s * s0)), cos);
         }
         for i in 0..self.X.len() {
             let m = &mechanism.members[i];

@@ -13,9 +13,10 @@
 //! which `plain` has as it stands, with a_i + ω_i × v_i for the linear part. P are the second moments of mass. Cost O(N).
 
 use super::posture::{Posture, position, slide};
+use super::rooted;
 use crate::error::InputError;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
-use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
 
 /// Room for [`inverse_dynamics_into`].
@@ -29,6 +30,7 @@ pub struct RneaWorkspace<T> {
     pub(super) f: Vec<Force<T>>,
     /// nv: zeros, for the callers that need v = 0 or v̇ = 0.
     pub(super) zeros: Vec<T>,
+    pub(super) rooted: rooted::RneaRoom<T>,
 }
 
 /// How a body moves. Written by the forward sweep.
@@ -51,6 +53,7 @@ impl<T: Scalar> RneaWorkspace<T> {
             path: vec![still; model.mechanism.depth + 1],
             f: vec![Force::ZERO; n],
             zeros: vec![T::ZERO; model.nv()],
+            rooted: rooted::RneaRoom::new(&model.mechanism),
         }
     }
 }
@@ -127,6 +130,15 @@ impl<T: Real> Algorithm<T> for Rnea<'_, T, T> {
     #[inline(always)]
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         self.sweep::<S>();
+    }
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
+        if !rooted::suits::<T>(&self.model.mechanism) {
+            return self.run::<S>();
+        }
+        let Self { model, q, v, vdot, workspace: RneaWorkspace { posture, rooted, .. }, tau } = self;
+        posture.update::<S>(&model.mechanism, q);
+        rooted::rnea::<T, S::Columns>(model, posture, [q, v, vdot], rooted, tau);
     }
 }
 
@@ -271,7 +283,7 @@ fn carried<S: Scalar, R: Rotation<S>>(
     Placed { E, r }: Placed<S, R>,
     up: &Moving<S::Stored>,
 ) -> (Vec3<S>, Vec3<S>, Vec3<S>) {
-    let a = up.a.map(S::load) + up.Psi.map(S::load) * r;
+    let a = up.Psi.map(S::load).times_add(r, up.a.map(S::load));
     (E.times(up.omega.map(S::load)), E.times(up.alpha.map(S::load)), E.times(a))
 }
 
@@ -284,12 +296,14 @@ fn finish<S: Scalar>(
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
     let Psi = Psi(omega, alpha);
-    *out = Moving {
-        omega: omega.map(S::store),
-        alpha: alpha.map(S::store),
-        a: a.map(S::store),
-        Psi: Psi.map(S::store),
-    };
+    if !m.place.leaf {
+        *out = Moving {
+            omega: omega.map(S::store),
+            alpha: alpha.map(S::store),
+            a: a.map(S::store),
+            Psi: Psi.map(S::store),
+        };
+    }
     m.I.map(S::constant).force(a, Psi)
 }
 
@@ -297,10 +311,9 @@ fn finish<S: Scalar>(
 #[inline(always)]
 fn Psi<S: Scalar>(w: Vec3<S>, alpha: Vec3<S>) -> Mat3<S> {
     let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
-    let (xy, xz, yz) = (w.x * w.y, w.x * w.z, w.y * w.z);
     Mat3 {
-        x: Vec3::new(-(yy + zz), xy - alpha.z, xz + alpha.y),
-        y: Vec3::new(xy + alpha.z, -(xx + zz), yz - alpha.x),
-        z: Vec3::new(xz - alpha.y, yz + alpha.x, -(xx + yy)),
+        x: Vec3::new((-w.y).mul_add(w.y, -zz), w.x.mul_add(w.y, -alpha.z), w.x.mul_add(w.z, alpha.y)),
+        y: Vec3::new(w.x.mul_add(w.y, alpha.z), (-w.z).mul_add(w.z, -xx), w.y.mul_add(w.z, -alpha.x)),
+        z: Vec3::new(w.x.mul_add(w.z, -alpha.y), w.y.mul_add(w.z, alpha.x), (-w.x).mul_add(w.x, -yy)),
     }
 }

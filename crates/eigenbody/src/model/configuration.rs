@@ -26,6 +26,11 @@ impl<T: Real> Model<T> {
     /// Refuses a q of the wrong length, with a number that is not finite, or with a quaternion that is not a unit one.
     pub fn check_q(&self, q: &[T]) -> Result<(), InputError> {
         check("q", q, self.nq)?;
+        self.check_quaternions(q)
+    }
+
+    /// Refuses a q with a quaternion that is not a unit one.
+    pub(crate) fn check_quaternions(&self, q: &[T]) -> Result<(), InputError> {
         for &(joint, index) in &self.mechanism.quaternions {
             let index = index as usize;
             let norm = q[index..index + 4].iter().map(|x| x.to_f64().powi(2)).sum::<f64>().sqrt();

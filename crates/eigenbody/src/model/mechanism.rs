@@ -21,36 +21,51 @@ const ROUND: f64 = 4.0;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mechanism<T> {
     pub members: Vec<Member<T>>,
-    /// Sine and cosine of γ, and of a prismatic joint's turn as a whole.
+    /// Sine and cosine of γ, and of a prismatic joint's turn as a whole; rounded up to whole columns.
     pub sin_offset: Vec<T>,
     pub cos_offset: Vec<T>,
-    /// The degree of freedom in each slot, or [`EMPTY`]. Subtrees have contiguous slots, and no block of [`SLOTS`] holds two
+    /// The degree of freedom in each slot, or [`EMPTY`]. Subtrees have contiguous slots, and no block of [`COLUMNS`] holds two
     /// neighbouring ones: a block can be moved as one with any subtree of which it has a part.
     pub slots: Vec<u32>,
+    /// The same slots by blocks.
+    pub blocks: Vec<Block>,
+    /// By four rows of H: one more than the last degree of freedom that any of them has an entry with.
+    pub reach: Vec<u32>,
+    /// Nobody's degrees of freedom come before those of the body that carries it.
+    pub ascending: bool,
     /// The joints whose coordinates hold a quaternion, and where it begins in q.
     pub quaternions: Vec<(u32, u32)>,
     /// The longest path from the world, in bodies.
     pub depth: usize,
 }
 
-/// Slots of a block.
-const SLOTS: usize = 4;
+/// The most numbers that any scalar has side by side for one configuration, and slots of a block.
+pub(crate) const COLUMNS: usize = 4;
 /// A slot without a degree of freedom.
 pub(crate) const EMPTY: u32 = u32::MAX;
+
+/// Slots side by side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Block {
+    /// The first degree of freedom, if the block can be written into a row of H as one: the others follow, and where they are fewer
+    /// than [`COLUMNS`], the row goes on and what stands there is still to be written. Else [`EMPTY`].
+    pub first: u32,
+    /// The degree of freedom in each slot, or [`EMPTY`].
+    pub dofs: [u32; COLUMNS],
+}
 
 /// A body.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Member<T> {
     /// Slots of its subtree, its own first.
     pub slots: Range<u32>,
+    /// Blocks of these slots, and where its own stand in the first.
+    pub blocks: Range<u32>,
+    pub lane: u32,
     /// One more than the body that carries it, 0 for the world.
     pub parent: u32,
     /// Bodies on the path from the world, itself included. In pre-order, what stands in a row for a level is the ancestor's.
     pub level: u32,
-    /// It carries no body.
-    pub is_leaf: bool,
-    /// No body that the same one carries comes after it.
-    pub is_last: bool,
     pub q0: u32,
     pub v0: u32,
     pub motion: MotionKind,
@@ -59,7 +74,23 @@ pub(crate) struct Member<T> {
     pub C: Mat3<T>,
     pub r: Vec3<T>,
     pub I: PseudoInertia<T>,
+    /// Mass of the body with all that it carries.
+    pub carried: T,
+    pub place: Place,
     pub joint: Joint<T>,
+}
+
+/// Where a body stands among those that its parent carries, and what it carries itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Place {
+    /// Carries nothing.
+    pub leaf: bool,
+    /// Carries several bodies.
+    pub branches: bool,
+    /// Comes right after its parent.
+    pub first: bool,
+    /// No other child of its parent comes later.
+    pub last: bool,
 }
 
 /// How a body moves against the one that carries it.
@@ -128,8 +159,12 @@ impl<T: Real> Mechanism<T> {
         let quaternion = |(index, joint): (u32, &JointInfo<T>)| {
             joint.kind.quaternion().map(|at| (index, joint.q0 + at as u32))
         };
+        let nv: usize = joints.iter().map(|joint| joint.kind.nv()).sum();
         let mut mechanism = Self {
             slots: Vec::new(),
+            blocks: Vec::new(),
+            reach: vec![0; nv.div_ceil(COLUMNS)],
+            ascending: true,
             quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
             depth: 0,
             members: Vec::with_capacity(bodies.len()),
@@ -157,7 +192,7 @@ impl<T: Real> Mechanism<T> {
             let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
             let slots = &mut mechanism.slots;
             if body.parent().is_some_and(|p| p + 1 != i) {
-                slots.resize(slots.len().next_multiple_of(SLOTS), EMPTY);
+                slots.resize(slots.len().next_multiple_of(COLUMNS), EMPTY);
             }
             let first = slots.len() as u32;
             slots.extend(body.dofs().map(|d| d as u32));
@@ -165,10 +200,10 @@ impl<T: Real> Mechanism<T> {
             mechanism.depth = mechanism.depth.max(level as usize);
             mechanism.members.push(Member {
                 slots: first..slots.len() as u32,
+                blocks: 0..0,
+                lane: first % COLUMNS as u32,
                 parent: if body.parent == WORLD { 0 } else { body.parent + 1 },
                 level,
-                is_leaf: true,
-                is_last: true,
                 q0: body.q0,
                 v0: body.v0,
                 motion,
@@ -176,6 +211,13 @@ impl<T: Real> Mechanism<T> {
                 C,
                 r,
                 I: turned.into(),
+                carried: body.I.m,
+                place: Place {
+                    leaf: true,
+                    branches: false,
+                    first: body.parent() == i.checked_sub(1),
+                    last: true,
+                },
                 joint: body.joint,
             });
             mechanism.sin_offset.push(offset.s);
@@ -183,15 +225,50 @@ impl<T: Real> Mechanism<T> {
         }
         for i in (0..bodies.len()).rev() {
             if let Some(p) = bodies[i].parent() {
-                mechanism.members[i].is_last = mechanism.members[p].is_leaf;
-                mechanism.members[p].is_leaf = false;
-                let end = mechanism.members[i].slots.end.max(mechanism.members[p].slots.end);
-                mechanism.members[p].slots.end = end;
+                let (end, carried) = (mechanism.members[i].slots.end, mechanism.members[i].carried);
+                let parent = &mut mechanism.members[p];
+                parent.slots.end = end.max(parent.slots.end);
+                parent.carried += carried;
+                // Seen from the end, the first child to come is the last.
+                let last = parent.place.leaf;
+                parent.place.branches = !parent.place.leaf;
+                parent.place.leaf = false;
+                mechanism.members[i].place.last = last;
             }
         }
-        mechanism.slots.resize(mechanism.slots.len().next_multiple_of(SLOTS), EMPTY);
+        mechanism.slots.resize(mechanism.slots.len().next_multiple_of(COLUMNS), EMPTY);
+        let whole = bodies.len().next_multiple_of(COLUMNS);
+        mechanism.sin_offset.resize(whole, T::ZERO);
+        mechanism.cos_offset.resize(whole, T::ONE);
+        mechanism.blocks = blocks(&mechanism.slots, nv);
+        for m in &mut mechanism.members {
+            m.blocks = m.slots.start / COLUMNS as u32..m.slots.end.div_ceil(COLUMNS as u32);
+            let subtree = &mechanism.slots[m.slots.start as usize..m.slots.end as usize];
+            let dofs = subtree.iter().filter(|&&dof| dof != EMPTY);
+            let (v0, nv) = (m.v0, m.joint.nv() as u32);
+            mechanism.ascending &= dofs.clone().all(|&dof| dof >= v0);
+            let last = dofs.max().map_or(0, |&dof| dof + 1);
+            for row in v0 as usize / COLUMNS..(v0 + nv).div_ceil(COLUMNS as u32) as usize {
+                mechanism.reach[row] = last.max(mechanism.reach[row]);
+            }
+        }
         mechanism
     }
+}
+
+fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
+    let block = |(k, dofs): (usize, &[u32])| {
+        let (first, count) = (dofs[0], dofs.iter().filter(|&&dof| dof != EMPTY).count());
+        let consecutive = (first..).zip(&dofs[..count]).all(|(expected, &dof)| dof == expected);
+        let fits = first as usize + COLUMNS <= nv;
+        let written = &slots[..k * COLUMNS];
+        let covered = (0..COLUMNS as u32).skip(count).any(|l| written.contains(&(first + l)));
+        Block {
+            first: if consecutive && fits && !covered { first } else { EMPTY },
+            dofs: [dofs[0], dofs[1], dofs[2], dofs[3]],
+        }
+    };
+    slots.chunks_exact(COLUMNS).enumerate().map(block).collect()
 }
 
 fn motion<T: Real>(body: &Body<T>) -> MotionKind {

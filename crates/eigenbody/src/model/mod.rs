@@ -22,7 +22,7 @@ pub use coupling::Coupling;
 pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};
 pub use finding::Finding;
-pub(crate) use mechanism::{EMPTY, Mechanism, Member, MotionKind, Twist, with_twist};
+pub(crate) use mechanism::{Block, COLUMNS, EMPTY, Mechanism, Member, MotionKind, Twist, with_twist};
 pub use random::Random;
 
 use crate::error::InputError;

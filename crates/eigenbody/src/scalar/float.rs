@@ -32,6 +32,14 @@ macro_rules! float {
                 $T::sin_cos(self)
             }
             #[inline(always)]
+            fn quarters(self, shifted: Self, s: Self, c: Self) -> (Self, Self) {
+                let (n, sign) = (shifted.to_bits(), $T::to_bits(-0.0));
+                let (sine, cosine) = if n & 1 == 0 { (s, c) } else { (c, s) };
+                let turned =
+                    |x: $T, n| $T::from_bits(x.to_bits() ^ (n << (sign.trailing_zeros() - 1) & sign));
+                (turned(sine, n), turned(cosine, n + 1))
+            }
+            #[inline(always)]
             fn abs(self) -> Self {
                 $T::abs(self)
             }

@@ -79,6 +79,10 @@ macro_rules! fused {
                 <$Columns>::from_slice(x)
             }
             #[inline(always)]
+            fn constant_columns(x: &[$T]) -> $Columns {
+                <$Columns>::from_slice(x)
+            }
+            #[inline(always)]
             fn store_columns(x: $Columns, out: &mut [$T]) {
                 x.to_slice(out);
             }
@@ -103,6 +107,11 @@ macro_rules! fused {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let (s, c) = $T::sin_cos(self.0);
+                (Self(s), Self(c))
+            }
+            #[inline(always)]
+            fn quarters(self, shifted: Self, s: Self, c: Self) -> (Self, Self) {
+                let (s, c) = self.0.quarters(shifted.0, s.0, c.0);
                 (Self(s), Self(c))
             }
             #[inline(always)]

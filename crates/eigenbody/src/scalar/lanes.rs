@@ -251,6 +251,12 @@ impl<S: Scalar> Scalar for Two<S> {
         (Self(s0, s1), Self(c0, c1))
     }
     #[inline(always)]
+    fn quarters(self, shifted: Self, s: Self, c: Self) -> (Self, Self) {
+        let (s0, c0) = self.0.quarters(shifted.0, s.0, c.0);
+        let (s1, c1) = self.1.quarters(shifted.1, s.1, c.1);
+        (Self(s0, s1), Self(c0, c1))
+    }
+    #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs(), self.1.abs())
     }

@@ -9,6 +9,7 @@ mod dd_trig;
 mod float;
 mod fused;
 mod lanes;
+mod quad;
 #[allow(unsafe_code)] // audited: see the module's two promises
 mod simd;
 mod trig;
@@ -16,6 +17,7 @@ mod trig;
 pub use dd::Dd;
 pub(crate) use lanes::Two;
 pub use lanes::{Array, LANES, Lane, MOST_LANES, Wide};
+pub use quad::Quad;
 pub use simd::{Algorithm, Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one};
 pub use trig::Trig;
 pub(crate) use trig::sin_cos_all;
@@ -37,6 +39,10 @@ macro_rules! only_itself {
         #[inline(always)]
         fn load_columns(x: &[Self]) -> Self {
             x[0]
+        }
+        #[inline(always)]
+        fn constant_columns(x: &[Self::Constant]) -> Self {
+            Self::constant(x[0])
         }
         #[inline(always)]
         fn store_columns(x: Self, out: &mut [Self]) {
@@ -85,6 +91,8 @@ pub trait Scalar:
     const COLUMNS: usize;
     /// The first [`COLUMNS`](Self::COLUMNS) numbers of a slice.
     fn load_columns(x: &[Self::Stored]) -> Self::Columns;
+    /// A model's first [`COLUMNS`](Self::COLUMNS) numbers of a slice, one a column.
+    fn constant_columns(x: &[Self::Constant]) -> Self::Columns;
     /// Into the first [`COLUMNS`](Self::COLUMNS) places of a slice.
     fn store_columns(x: Self::Columns, out: &mut [Self::Stored]);
     /// The same number in every column.
@@ -101,6 +109,12 @@ pub trait Scalar:
     fn sqrt(self) -> Self;
     /// (sin self, cos self), self in radians.
     fn sin_cos(self) -> (Self, Self);
+    /// Sine and cosine after n = `self` quarter turns of an angle with sine s and cosine c; `shifted` is n and 1.5/ε, whose last bits are
+    /// those of n.
+    #[inline(always)]
+    fn quarters(self, _shifted: Self, s: Self, c: Self) -> (Self, Self) {
+        trig::quarters(self, s, c)
+    }
     /// |self|.
     fn abs(self) -> Self;
     /// The smaller of two numbers.

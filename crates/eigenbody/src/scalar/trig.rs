@@ -63,19 +63,21 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
 };
 
-/// Sines and cosines of all `angles`, as long as both outputs.
+/// Sines and cosines of all `angles`, as long as both outputs. What does not fill the columns of a scalar is left out.
 #[inline(always)]
 pub(crate) fn sin_cos_all<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::Stored]) {
     let limit = S::Constant::TRIG.as_ref().map_or(S::Constant::ZERO, |trig| trig.limit);
     let mut beyond = false;
-    for &x in angles {
-        beyond |= S::load(x).abs().any_above(limit);
+    for x in angles.chunks_exact(S::COLUMNS) {
+        beyond |= S::load_columns(x).abs().any_above(limit);
     }
     match S::Constant::TRIG {
         Some(trig) if !beyond => {
-            for ((&x, sin), cos) in angles.iter().zip(sin).zip(cos) {
-                let (s, c) = sin_cos::<S>(S::load(x), &trig);
-                (*sin, *cos) = (s.store(), c.store());
+            let (sin, cos) = (sin.chunks_exact_mut(S::COLUMNS), cos.chunks_exact_mut(S::COLUMNS));
+            for ((x, sin), cos) in angles.chunks_exact(S::COLUMNS).zip(sin).zip(cos) {
+                let (s, c) = sin_cos::<S::Columns>(S::load_columns(x), &trig);
+                S::store_columns(s, sin);
+                S::store_columns(c, cos);
             }
         }
         _ => plain::<S>(angles, sin, cos),
@@ -93,14 +95,13 @@ fn plain<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::S
 #[inline(always)]
 fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let integer = S::constant(trig.integer);
-    let n = x.mul_add(S::constant(trig.two_over_pi), integer) - integer;
+    let shifted = x.mul_add(S::constant(trig.two_over_pi), integer);
+    let n = shifted - integer;
     let [p0, p1, p2] = trig.minus_half_pi;
     let first = n.mul_add(S::constant(p0), x);
-    let w = n * S::constant(p1);
-    let t = first + w;
-    // What rounding took from the sum, whichever of the two is larger.
-    let back = t - first;
-    let lost = (first - (t - back)) + (w - back);
+    let t = n.mul_add(S::constant(p1), first);
+    // What rounding took from the sum.
+    let lost = n.mul_add(S::constant(p1), first - t);
     let tail = n.mul_add(S::constant(p2), lost);
     let r = t + tail;
     let y = (t - r) + tail;
@@ -120,15 +121,19 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let s = r + cube.mul_add(p, y * (S::ONE - h));
     let w = S::ONE - h;
     let c = w + (((S::ONE - w) - h) + (z * z).mul_add(q, -(r * y)));
+    n.quarters(shifted, s, c)
+}
 
-    // j = n mod 4 in {−2, .., 2}
-    let quarter = n.mul_add(S::from_f64(0.25), integer) - integer;
-    let j = quarter.mul_add(S::from_f64(-4.0), n);
+/// [`Scalar::quarters`] without a look at bits: j = n mod 4 in {−2, .., 2}.
+#[inline(always)]
+pub(super) fn quarters<S: Scalar>(n: S, s: S, c: S) -> (S, S) {
+    let integer = S::from_f64(1.5 / S::Constant::EPSILON);
+    let (half, half_turn) = (S::from_f64(0.5), S::from_f64(1.5));
+    let j = (n.mul_add(S::from_f64(0.25), integer) - integer).mul_add(S::from_f64(-4.0), n);
     let odd = (j.abs() - S::ONE).abs();
     let (sine, cosine) = (odd.select_lt(half, c, s), odd.select_lt(half, s, c));
     // sin is negative for j = −1 and ±2, cos for j = 1 and ±2.
-    let half_turn = S::from_f64(1.5);
-    let sine = (j + half_turn - S::ONE).select_lt(S::ZERO, -sine, sine);
+    let sine = (j + half).select_lt(S::ZERO, -sine, sine);
     let sine = half_turn.select_lt(j, -sine, sine);
     let cosine = half.select_lt(j, -cosine, cosine);
     let cosine = (j + half_turn).select_lt(S::ZERO, -cosine, cosine);
@@ -139,7 +144,7 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
 mod tests {
     use super::*;
     use crate::scalar::fused::Fused;
-    use crate::scalar::{Array, Dd};
+    use crate::scalar::{Array, Batched, Dd, Unit, Wide, WideAlgorithm};
 
     /// Errors in units of the last place of the result, over angles up to the limit, against double-double.
     fn worst<S: Scalar>(
@@ -157,9 +162,9 @@ mod tests {
                 2 => f64::from(k - 100_000) * 1e-4,
                 _ => (-f64::from(k) / 4000.0).exp(),
             };
-            let (mut s, mut c) = ([from_f64(0.0)], [from_f64(0.0)]);
+            let (mut s, mut c) = ([from_f64(0.0); 4], [from_f64(0.0); 4]);
             let x = from_f64(x);
-            sin_cos_all::<S>(&[x], &mut s, &mut c);
+            sin_cos_all::<S>(&[x; 4], &mut s, &mut c);
             let (sin, cos) = Dd::from_f64(to_f64(x)).sin_cos();
             for (found, exact) in [(to_f64(s[0]), sin), (to_f64(c[0]), cos)] {
                 let ulp = exact.hi().abs().max(least) * S::Constant::EPSILON;
@@ -183,6 +188,57 @@ mod tests {
             worst::<Fused<f32>>(|x| x as f32, f64::from, 3000.0, 1e-4),
         ] {
             assert!(single < 1.5, "f32: {single}");
+        }
+    }
+
+    /// Every angle in one lane after the other.
+    struct Sines<'a, T>(&'a [T]);
+
+    impl<T: Batched> WideAlgorithm<T> for Sines<'_, T> {
+        type Output = Vec<[T; 2]>;
+        #[inline(always)]
+        fn run<W: Wide<Constant = T>>(self) -> Self::Output {
+            let mut out = Vec::new();
+            for angles in self.0.chunks_exact(crate::scalar::MOST_LANES) {
+                for angles in angles.chunks_exact(W::WIDTH) {
+                    let (mut s, mut c) = ([W::ZERO], [W::ZERO]);
+                    sin_cos_all::<W>(&[W::from_slice(angles)], &mut s, &mut c);
+                    let mut numbers = [[T::ZERO; crate::scalar::MOST_LANES]; 2];
+                    s[0].to_slice(&mut numbers[0]);
+                    c[0].to_slice(&mut numbers[1]);
+                    out.extend((0..W::WIDTH).map(|lane| [numbers[0][lane], numbers[1][lane]]));
+                }
+            }
+            out
+        }
+    }
+
+    /// All units agree: quarter turns are counted by bits in registers, and by bits of another kind elsewhere.
+    fn units_agree<T: Batched>() {
+        let angles: Vec<T> = (-800..800).map(|k| T::from_f64(f64::from(k) * 0.37)).collect();
+        let of = |unit| T::dispatch_wide(unit, Sines(&angles));
+        for unit in [Unit::Avx2, Unit::Avx512] {
+            for ((found, plain), angle) in of(unit).iter().zip(&of(Unit::Plain)).zip(&angles) {
+                for k in 0..2 {
+                    let apart = (found[k] - plain[k]).to_f64().abs();
+                    assert!(apart <= 2.0 * T::EPSILON, "{unit:?}, {angle:?}: {found:?} {plain:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn sines_agree_on_all_units() {
+        units_agree::<f32>();
+        units_agree::<f64>();
+    }
+
+    /// By arithmetic as by bits.
+    #[test]
+    fn quarter_turns_are_counted_alike() {
+        for n in -9_i32..=9 {
+            let (n, shifted) = (f64::from(n), f64::from(n) + DOUBLE.integer);
+            assert_eq!(quarters(n, 0.6, 0.8), Scalar::quarters(n, shifted, 0.6, 0.8));
         }
     }
 }

@@ -8,6 +8,7 @@
 //! Every vᵀ dH v is twice a gradient of the kinetic energy, O(N). The base needs no term of its own: its motion makes the energy
 //! stationary.
 
+use crate::batch::{Batch, BatchError};
 use crate::conditioning::{Measure, Values};
 use crate::conditioning::{Method, Question, conditioning_at};
 use crate::dynamics::{BASE, GradientWorkspace, Reduction, kinetic_energy_gradient_into, mass_matrix};
@@ -16,6 +17,14 @@ use crate::matrix::Matrix;
 use crate::model::Model;
 use crate::spectrum::sturm::{Diagonal, Pencil};
 use crate::spectrum::{Metric, Precision, extreme_values};
+use rayon::prelude::*;
+
+/// Up to so many degrees of freedom a dense matrix in lanes is faster than counts on the tree.
+const LARGEST_DENSE: usize = 96;
+/// Relative error of κ that a sample may have.
+const ACCURACY: f64 = 1e-9;
+/// Samples between two reports of progress.
+const AT_ONCE: usize = 512;
 
 /// Measures a robot in one configuration after another.
 #[derive(Debug, Clone)]
@@ -84,6 +93,41 @@ impl<'m> Evaluator<'m> {
             lambda_max,
             kappa_weighted: least_weighted.map_or(f64::INFINITY, |least| weighted / least),
         })
+    }
+
+    /// The measures at each of many q, on all cores; tells `progress` how many more are done.
+    ///
+    /// Method: [`Batch::conditioning`] where all degrees of freedom take part and H is small; else [`values`](Self::values), one by one.
+    ///
+    /// Errors: as [`values`](Self::values), of the first q that does not fit.
+    pub fn values_of_all(
+        &self,
+        all: &[Vec<f64>],
+        progress: &(impl Fn(usize) + Sync),
+    ) -> Result<Vec<Values>, Error> {
+        // Without a tree of counts, mimic joints follow.
+        if self.reduction.base || self.tree.is_none() || self.model.nv() > LARGEST_DENSE {
+            let one = |evaluator: &mut Self, q: &Vec<f64>| {
+                let values = evaluator.values(q);
+                progress(1);
+                values
+            };
+            return all.par_iter().map_init(|| self.clone(), one).collect();
+        }
+        let mut values = Vec::with_capacity(all.len());
+        for some in all.chunks(AT_ONCE) {
+            let mut found =
+                vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; some.len()];
+            let done =
+                Batch::new(self.model).conditioning(&some.concat(), &self.metric, ACCURACY, &mut found);
+            done.map_err(|error| match error {
+                BatchError::Shape(error) => error.into(),
+                BatchError::Configuration { error, .. } => error,
+            })?;
+            progress(some.len());
+            values.extend(found);
+        }
+        Ok(values)
     }
 
     /// A measure at q with all the care there is: infinite κ or κ′, or zero λmin, where the error estimate says that nothing is known.

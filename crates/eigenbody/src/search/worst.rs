@@ -103,17 +103,10 @@ fn sample(
     effort: Effort,
     progress: &(impl Fn(usize) + Sync),
 ) -> Result<Vec<Sampled>, Error> {
-    sample_points(domain, effort.samples, effort.seed)
-        .into_par_iter()
-        .map_init(
-            || evaluator.clone(),
-            |evaluator, point| {
-                let values = evaluator.values(&domain.configuration(&point))?;
-                progress(1);
-                Ok((point, values))
-            },
-        )
-        .collect()
+    let points = sample_points(domain, effort.samples, effort.seed);
+    let all: Vec<Vec<f64>> = points.par_iter().map(|point| domain.configuration(point)).collect();
+    let values = evaluator.values_of_all(&all, progress)?;
+    Ok(points.into_iter().zip(values).collect())
 }
 
 /// The neutral configuration, the middle of all limits, and so many points of a scrambled Sobol sequence (1 to 65,536).

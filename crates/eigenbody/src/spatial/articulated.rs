@@ -1,6 +1,6 @@
 //! The inertia of an articulated body: a symmetric 6 × 6 matrix, 21 numbers.
 
-use super::{Force, Mat3, Motion, RigidInertia, Sym3, Vec3};
+use super::{Force, Mat3, Motion, PseudoInertia, RigidInertia, Sym3, Vec3};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign};
 
@@ -59,8 +59,30 @@ impl<T: Scalar> ArticulatedInertia<T> {
     #[inline(always)]
     pub fn shifted(self, r: Vec3<T>) -> Self {
         let Self { I, H: H0, M } = self;
-        let H = H0 + Mat3::cross_times(r, M.full());
+        let H = Mat3::cross_times_add(r, M.full(), H0);
         Self { I: I.plus_shift(r, H0, H), H, M }
+    }
+
+    /// With a rigid body besides.
+    #[inline(always)]
+    pub(crate) fn plus_body(self, PseudoInertia { m, h, P }: PseudoInertia<T>) -> Self {
+        let Self { I, H, M } = self;
+        Self {
+            I: Sym3 {
+                xx: I.xx + (P.yy + P.zz),
+                yy: I.yy + (P.xx + P.zz),
+                zz: I.zz + (P.xx + P.yy),
+                xy: I.xy - P.xy,
+                xz: I.xz - P.xz,
+                yz: I.yz - P.yz,
+            },
+            H: Mat3 {
+                x: Vec3::new(H.x.x, H.x.y - h.z, H.x.z + h.y),
+                y: Vec3::new(H.y.x + h.z, H.y.y, H.y.z - h.x),
+                z: Vec3::new(H.z.x - h.y, H.z.y + h.x, H.z.z),
+            },
+            M: Sym3 { xx: M.xx + m, yy: M.yy + m, zz: M.zz + m, ..M },
+        }
     }
 
     /// The entries in another scalar.

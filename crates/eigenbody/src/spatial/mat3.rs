@@ -53,13 +53,19 @@ impl<T: Scalar> Mat3<T> {
         self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))
     }
 
-    /// The columns of B crossed with a.
+    /// A b + c.
     #[inline(always)]
-    pub fn cross_times(a: Vec3<T>, B: Self) -> Self {
+    pub fn times_add(self, b: Vec3<T>, c: Vec3<T>) -> Vec3<T> {
+        Vec3 { x: self.x.dot_add(b, c.x), y: self.y.dot_add(b, c.y), z: self.z.dot_add(b, c.z) }
+    }
+
+    /// C and the columns of B crossed with a: [a]× B + C.
+    #[inline(always)]
+    pub fn cross_times_add(a: Vec3<T>, B: Self, C: Self) -> Self {
         Self {
-            x: B.z.mul_add(a.y, -(B.y * a.z)),
-            y: B.x.mul_add(a.z, -(B.z * a.x)),
-            z: B.y.mul_add(a.x, -(B.x * a.y)),
+            x: B.z.mul_add(a.y, B.y.mul_add(-a.z, C.x)),
+            y: B.x.mul_add(a.z, B.z.mul_add(-a.x, C.y)),
+            z: B.y.mul_add(a.x, B.x.mul_add(-a.y, C.z)),
         }
     }
 

@@ -63,11 +63,11 @@ impl<T: Scalar> PseudoInertia<T> {
         let Self { m, h, P } = self;
         let P = P.full();
         let n = Vec3::new(
-            Psi.z.dot(P.y) - Psi.y.dot(P.z),
-            Psi.x.dot(P.z) - Psi.z.dot(P.x),
-            Psi.y.dot(P.x) - Psi.x.dot(P.y),
+            Psi.z.dot_add(P.y, -Psi.y.dot(P.z)),
+            Psi.x.dot_add(P.z, -Psi.z.dot(P.x)),
+            Psi.y.dot_add(P.x, -Psi.x.dot(P.y)),
         );
-        Force::new(n + h.cross(a), a.mul_add(m, Psi * h))
+        Force::new(h.cross_add(a, n), Psi.times_add(h, a * m))
     }
 
     /// I = (tr P) 1 − P.

@@ -163,14 +163,14 @@ impl<T: Scalar, R: Rotation<T>> Placed<T, R> {
     /// X m.
     #[inline(always)]
     pub fn motion(self, m: Motion<T>) -> Motion<T> {
-        Motion { ang: self.E.times(m.ang), lin: self.E.times(m.lin + m.ang.cross(self.r)) }
+        Motion { ang: self.E.times(m.ang), lin: self.E.times(m.ang.cross_add(self.r, m.lin)) }
     }
 
     /// Xᵀ f.
     #[inline(always)]
     pub fn transpose_force(self, f: Force<T>) -> Force<T> {
         let lin = self.E.transpose_times(f.lin);
-        Force { ang: self.E.transpose_times(f.ang) + self.r.cross(lin), lin }
+        Force { ang: self.r.cross_add(lin, self.E.transpose_times(f.ang)), lin }
     }
 
     /// A rigid body's inertia back in old coordinates.

@@ -51,6 +51,22 @@ impl<T: Scalar> Vec3<T> {
         }
     }
 
+    /// a × b + c.
+    #[inline(always)]
+    pub fn cross_add(self, b: Self, c: Self) -> Self {
+        Self {
+            x: self.y.mul_add(b.z, (-self.z).mul_add(b.y, c.x)),
+            y: self.z.mul_add(b.x, (-self.x).mul_add(b.z, c.y)),
+            z: self.x.mul_add(b.y, (-self.y).mul_add(b.x, c.z)),
+        }
+    }
+
+    /// a · b + c.
+    #[inline(always)]
+    pub fn dot_add(self, b: Self, c: T) -> T {
+        self.x.mul_add(b.x, self.y.mul_add(b.y, self.z.mul_add(b.z, c)))
+    }
+
     /// Eᵀ a with E a turn about z by the angle with this sine and cosine.
     #[inline(always)]
     pub fn turned_about_z(self, (s, c): (T, T)) -> Self {

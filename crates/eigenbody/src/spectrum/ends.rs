@@ -10,9 +10,10 @@
 //! cubically and, for a polynomial with real zeros only, from one side: 4 to 15 steps. Parlett, *The Symmetric Eigenvalue Problem* (1980),
 //! §8.  Cost n³ and about 20 n; nothing is decided by comparing values, so that matrices may stand side by side in lanes.
 
+use super::abreast;
 use crate::error::InputError;
 use crate::matrix::Matrix;
-use crate::scalar::{Algorithm, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 
 /// More steps than any spectrum has needed.
 const MAX_STEPS: usize = 60;
@@ -22,16 +23,18 @@ const ALIGN: usize = 4;
 /// Room for [`extreme_eigenvalues_into`].
 #[derive(Debug, Clone)]
 pub struct EndsWorkspace<T> {
-    n: usize,
-    stride: usize,
-    /// n × stride: the matrix, both triangles, zero beyond column n. Overwritten.
-    A: Vec<T>,
-    /// stride: a reflection's vector, and the matrix times it.
-    u: Vec<T>,
-    w: Vec<T>,
+    pub(super) n: usize,
+    pub(super) stride: usize,
+    /// stride × stride: the matrix, both triangles, zero beyond column n. Overwritten.
+    pub(super) A: Vec<T>,
+    /// stride: a reflection's vector, and the matrix times it; those of the step before.
+    pub(super) u: Vec<T>,
+    pub(super) w: Vec<T>,
+    pub(super) x: Vec<T>,
+    pub(super) y: Vec<T>,
     /// n: diagonal and squares of the subdiagonal (the first is zero) of the tridiagonal matrix.
-    d: Vec<T>,
-    e2: Vec<T>,
+    pub(super) d: Vec<T>,
+    pub(super) e2: Vec<T>,
 }
 
 impl<T: Scalar> EndsWorkspace<T> {
@@ -42,9 +45,11 @@ impl<T: Scalar> EndsWorkspace<T> {
         Self {
             n,
             stride,
-            A: vec![T::ZERO; n * stride],
+            A: vec![T::ZERO; stride * stride],
             u: row.clone(),
-            w: row,
+            w: row.clone(),
+            x: row.clone(),
+            y: row,
             d: vec![T::ZERO; n],
             e2: vec![T::ZERO; n],
         }
@@ -99,10 +104,13 @@ pub fn extreme_eigenvalues_into<T: Real>(
         *u = if b == T::ONE { b } else { T::ONE / b.sqrt() };
     }
     let EndsWorkspace { A, u, stride, .. } = workspace;
-    for i in 0..n {
-        for (j, &x) in H.row(i).iter().enumerate() {
-            A[i * *stride + j] = u[i] * x * u[j];
+    for (i, A) in A.chunks_exact_mut(*stride).take(n).enumerate() {
+        let u_i = u[i];
+        for ((A, &x), &u_j) in A.iter_mut().zip(H.row(i)).zip(&*u) {
+            *A = u_i * x * u_j;
         }
+        // Not more than one row of the last matrix's remains.
+        A[n..].fill(T::ZERO);
     }
     if !A.iter().fold(true, |all, x| all & x.is_finite()) {
         let index = A.iter().position(|x| !x.is_finite()).unwrap_or(0) / *stride;
@@ -121,6 +129,10 @@ impl<T: Real> Algorithm<T> for Ends<'_, T> {
     fn run<S: Scalar<Constant = T, Stored = T>>(self) -> [T; 2] {
         let [min, max] = ends::<S>(self.workspace);
         [min.store(), max.store()]
+    }
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) -> [T; 2] {
+        abreast::ends::<T, S::Columns>(self.workspace)
     }
 }
 
@@ -157,7 +169,7 @@ fn dot<S: Scalar>(x: &[S::Stored], y: &[S::Stored]) -> S {
 /// Householder reduction; returns a bound on the largest eigenvalue.
 #[inline(always)]
 fn reduce<S: Scalar>(workspace: &mut EndsWorkspace<S::Stored>) -> S {
-    let EndsWorkspace { n, stride, A, u, w, d, e2 } = workspace;
+    let EndsWorkspace { n, stride, A, u, w, d, e2, .. } = workspace;
     let (n, stride) = (*n, *stride);
     let zero = S::ZERO.store();
     let (mut bound, mut outer) = (S::ZERO, S::ZERO);

@@ -1,5 +1,6 @@
 //! Eigenvalues and eigenvectors of H in a metric: H x = λ B x.
 
+mod abreast;
 mod bisect;
 mod eigen;
 mod ends;

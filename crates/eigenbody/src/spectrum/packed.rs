@@ -5,8 +5,7 @@
 //!     A_jk −= u_j w_k + w_j u_k        the reflection of the row before
 //!     y_j += A_jk v_k,  y_k += A_jk v_j        towards that of this row
 //! p_i = (d_i − λ) p_(i−1) − e_i² p_(i−2)       leading minors of T − λ:  all positive as long as λ < λmin
-//! G = p'/p      K = G² − p''/p
-//! λ ← λ + n/(−G + √((n−1)(n K − G²)))          Laguerre's step: never beyond λmin
+//! λ ← λ + n p/(−p' + √((n−1)((n−1) p'² − n p p'')))       Laguerre's step: never beyond λmin
 //! ```
 //! What [`ends`](super::ends) does for one matrix, in the form that suits lanes: minors instead of pivots, because a division costs as
 //! much as a dozen products, and every entry touched once a row, because a triangle in lanes fills the nearest memory. Cost ⅔ n³ and
@@ -17,7 +16,7 @@ use crate::scalar::{Real, Scalar};
 /// More steps than any spectrum has needed.
 const MAX_STEPS: usize = 60;
 /// Rows after which minors are scaled anew: none can leave the range of numbers in so few.
-const RANGE: usize = 16;
+const RANGE: usize = 8;
 
 /// Matrices of n rows, and room for their reduction.
 #[derive(Debug, Clone)]
@@ -254,12 +253,9 @@ impl<S: Scalar> Reached<S> {
     #[inline(always)]
     fn step(&mut self, n: S, minor: &Minor<S>) {
         let [p, p1, p2] = minor.now;
-        let inverse = S::ONE / p;
-        let G = p1 * inverse;
-        let square = G * G;
-        let K = square - (p2 + p2) * inverse;
-        let discriminant = (n - S::ONE) * n.mul_add(K, -square);
-        let step = n / (discriminant.max(S::ZERO).sqrt() - G);
+        let others = n - S::ONE;
+        let discriminant = others * others.mul_add(p1 * p1, -(n * p * (p2 + p2)));
+        let step = n * p / (discriminant.max(S::ZERO).sqrt() - p1);
         let moved = self.lambda + step;
         // What is no number is not positive either.
         let positive = S::ZERO.select_lt(p, S::ZERO.select_lt(minor.smallest, self.going, S::ZERO), S::ZERO);
@@ -269,5 +265,63 @@ impl<S: Scalar> Reached<S> {
         let more = small.select_lt(step, moves, S::ZERO);
         self.going = (small * self.last).select_lt(step * step, more, S::ZERO);
         self.last = step;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::matrix::Matrix;
+    use crate::model::Random;
+    use crate::scalar::{Array, Two};
+    use crate::spectrum::eigenvalues;
+
+    /// Qᵀ Λ Q by reflections, with eigenvalues of that many digits between the ends; the second half of them repeats the first.
+    fn matrix(n: usize, digits: f64, twice: bool, random: &mut Random) -> Matrix<f64> {
+        let mut H = Matrix::zeros(n, n);
+        for i in 0..n {
+            let k = if twice { i / 2 * 2 } else { i };
+            H[(i, i)] = 10.0_f64.powf(-digits * k as f64 / n.max(2) as f64);
+        }
+        for _ in 0..3 {
+            let u: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+            let square: f64 = u.iter().map(|x| x * x).sum();
+            let reflect = |i: usize, j: usize| f64::from(u8::from(i == j)) - 2.0 * u[i] * u[j] / square;
+            let half = Matrix::from_fn(n, n, |i, j| (0..n).map(|k| reflect(i, k) * H[(k, j)]).sum::<f64>());
+            let full =
+                Matrix::from_fn(n, n, |i, j| (0..n).map(|k| half[(i, k)] * reflect(k, j)).sum::<f64>());
+            H = Matrix::from_fn(n, n, |i, j| 0.5 * (full[(i, j)] + full[(j, i)]));
+        }
+        H
+    }
+
+    /// Of every size, well and badly conditioned, with double eigenvalues, side by side with a matrix of another kind.
+    #[test]
+    fn ends_are_those_of_the_spectrum() {
+        let mut random = Random::new(5);
+        for n in (1..=40).chain([64, 97]) {
+            for (digits, twice) in [(0.0, false), (2.0, false), (2.0, true), (9.0, false), (12.0, true)] {
+                let matrices = [
+                    matrix(n, digits, twice, &mut random),
+                    matrix(n, 3.0, false, &mut random),
+                    Matrix::from_fn(n, n, |i, j| if i == j { 1e-30 * (1 + i) as f64 } else { 0.0 }),
+                    matrix(n, 5.0, true, &mut random),
+                ];
+                let [a, b, c, d] = &matrices;
+                let mut packed: Packed<Two<Array<2>>> = Packed::new(n);
+                let places = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j)));
+                for (x, at) in packed.A.iter_mut().zip(places) {
+                    *x = Two(Array([a[at], b[at]]), Array([c[at], d[at]]));
+                }
+                let [min, max] = packed.ends();
+                let found = [min.0.0, min.1.0].concat().into_iter().zip([max.0.0, max.1.0].concat());
+                for (H, (min, max)) in matrices.iter().zip(found) {
+                    let all = eigenvalues(H, &vec![1.0; n]).unwrap();
+                    let bound = 4.0 * n as f64 * f64::EPSILON * all[n - 1];
+                    assert!((min - all[0]).abs() <= bound, "n = {n}, {digits}: {min:e} {:e}", all[0]);
+                    assert!((max - all[n - 1]).abs() <= bound, "n = {n}, {digits}: {max:e} {:e}", all[n - 1]);
+                }
+            }
+        }
     }
 }

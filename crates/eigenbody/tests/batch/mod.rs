@@ -81,6 +81,51 @@ fn double() {
     lanes_are_configurations::<f64>();
 }
 
+/// The entries and their mirror images make up H, and nothing else in it differs from zero.
+#[test]
+fn entries_make_up_the_matrix() {
+    for case in cases::<f64>(14) {
+        let (model, name) = (case.model, case.name);
+        let States { q, .. } = states(&model);
+        let nv = model.nv();
+        for unit in UNITS {
+            let batch = Batch::new(&model).on(unit);
+            let pairs = batch.entries();
+            let (mut H, mut entries) = (vec![1.0; COUNT * nv * nv], vec![1.0; COUNT * pairs.len()]);
+            batch.mass_matrices(&q, &mut H).unwrap();
+            batch.mass_matrix_entries(&q, &mut entries).unwrap();
+            for (k, H) in H.chunks_exact(nv * nv).enumerate() {
+                let mut made = vec![0.0; nv * nv];
+                for (&(d, e), &H_de) in pairs.iter().zip(&entries[k * pairs.len()..]) {
+                    assert_eq!(made[d * nv + e], 0.0, "{name}: ({d}, {e}) stands twice");
+                    (made[d * nv + e], made[e * nv + d]) = (H_de, H_de);
+                }
+                assert_eq!(H, made, "{k}, {unit:?}, {name}");
+            }
+        }
+    }
+}
+
+/// A number that is not finite is found wherever it stands, whatever unit looks for it.
+#[test]
+fn what_is_not_finite_is_found_everywhere() {
+    let model: Model<f64> = Family::hydra(3, 1.0, 0.3, 1.0).unwrap().model().unwrap();
+    let (good, mut tau) = (vec![0.25; 3 * COUNT], vec![0.0; 3 * COUNT]);
+    for unit in UNITS {
+        let batch = Batch::new(&model).on(unit);
+        assert_eq!(batch.inverse_dynamics(&good, &good, &good, &mut tau), Ok(()));
+        for at in 0..good.len() {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut v = good.clone();
+                v[at] = bad;
+                let error = batch.inverse_dynamics(&good, &v, &good, &mut tau).unwrap_err();
+                let expected = format!("configuration {}: v[{}] is not a finite number", at / 3, at % 3);
+                assert_eq!(error.to_string(), expected, "{unit:?}");
+            }
+        }
+    }
+}
+
 /// Both ends of every kind of matrix to a few n·ε·λmax.
 #[test]
 fn ends_are_those_of_the_spectrum() {

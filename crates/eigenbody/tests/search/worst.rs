@@ -78,3 +78,32 @@ fn a_singular_configuration_is_found() {
     }
     assert!(found.spreads[0].worst > 1e8 && found.spreads[2].worst < 1e-9, "{found:?}");
 }
+
+/// A sample in lanes, on the tree, and along mimic joints: the same values as one by one.
+#[test]
+fn many_values_are_those_of_each() {
+    let tree: Model<f64> = Family::auto_tree(12, 1.5, 0.3, 0.9).unwrap().floating().model().unwrap();
+    for (base, metric) in
+        [(false, Metric::Euclidean), (false, Metric::UnitDiagonal), (true, Metric::Euclidean)]
+    {
+        let reduction = Reduction { base, ..Reduction::default() };
+        let mut evaluator = Evaluator::new(&tree, reduction, metric).unwrap();
+        let all: Vec<Vec<f64>> = (0..70).map(|seed| tree.random(seed)).collect();
+        let told = std::sync::atomic::AtomicUsize::new(0);
+        let count = |n| {
+            told.fetch_add(n, std::sync::atomic::Ordering::Relaxed);
+        };
+        let found = evaluator.values_of_all(&all, &count).unwrap();
+        assert_eq!(told.into_inner(), 70);
+        for (q, found) in all.iter().zip(found) {
+            let one = evaluator.values(q).unwrap();
+            for measure in Measure::ALL {
+                let (found, one) = (found.of(measure), one.of(measure));
+                assert!((found / one - 1.0).abs() < 1e-8, "{base} {measure:?}: {found:e} {one:e}");
+            }
+        }
+        let mut bad = all.clone();
+        bad[3][0] = f64::NAN;
+        assert!(evaluator.values_of_all(&bad, &|_| ()).is_err());
+    }
+}

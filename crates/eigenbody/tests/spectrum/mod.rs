@@ -1,4 +1,5 @@
 mod eigen;
+mod ends;
 mod extremes;
 mod metric;
 mod slice;

@@ -14,7 +14,7 @@
 pub(super) mod x86;
 
 use super::lanes::{Array, LANES, Lane, Wide};
-use super::{Real, Scalar};
+use super::{Quad, Real, Scalar};
 
 /// An algorithm over eight lanes. `run` must be `#[inline(always)]`, and so must all that it calls per element.
 pub trait LaneAlgorithm {
@@ -38,6 +38,14 @@ pub trait Algorithm<T: Real> {
     type Output;
     /// Runs on plain or fused numbers.
     fn run<S: Scalar<Constant = T, Stored = T>>(self) -> Self::Output;
+    /// Runs where four numbers fit into a register, for an algorithm that has a better way there.
+    #[inline(always)]
+    fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.run::<S>()
+    }
 }
 
 /// A unit of the processor.
@@ -96,16 +104,19 @@ pub fn dispatch_one<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
 
 /// Runs an algorithm on `F`, or on plain numbers where there is no fused multiply-add.
 #[inline]
-pub(super) fn dispatch_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
-    algorithm: A,
-) -> A::Output {
+pub(super) fn dispatch_fused<F, T, A>(algorithm: A) -> A::Output
+where
+    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
+    T: Real,
+    A: Algorithm<T>,
+{
     #[cfg(target_arch = "x86_64")]
     if has_fma() {
         // SAFETY: the processor has the features that the entry function is compiled for.
         return unsafe { x86::one_fused::<F, _, _>(algorithm) };
     }
     #[cfg(target_arch = "aarch64")]
-    return algorithm.run::<F>();
+    return algorithm.run_in_fours::<F>();
     #[cfg(not(target_arch = "aarch64"))]
     algorithm.run::<T>()
 }
@@ -140,8 +151,8 @@ batched!(f32, F32x8, F32x16);
 
 #[cfg(test)]
 mod tests {
-    use super::super::lanes::{Array, LANES, Lane};
-    use super::{LaneAlgorithm, dispatch};
+    use super::super::lanes::{Array, LANES, Lane, MOST_LANES, Wide};
+    use super::{Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch};
 
     /// Every operation of the lane type, on awkward numbers.
     struct Everything;
@@ -184,5 +195,63 @@ mod tests {
                 assert!(same, "operation {operation}, lane {lane}: {} {}", wide[lane], plain[lane]);
             }
         }
+    }
+
+    /// Rows turned into lanes, and lanes into rows.
+    struct Turns<'a, T>(&'a [T]);
+
+    impl<T: Batched> WideAlgorithm<T> for Turns<'_, T> {
+        /// Lanes, numbers gathered, numbers of the rows that they give.
+        type Output = (usize, Vec<T>, Vec<T>);
+        #[inline(always)]
+        fn run<W: Wide<Constant = T>>(self) -> Self::Output {
+            let mut at = [0; MOST_LANES];
+            for (lane, at) in at.iter_mut().enumerate() {
+                *at = 7 * (lane * 5 % MOST_LANES);
+            }
+            let mut numbers = [T::ZERO; MOST_LANES];
+            let mut out = [Vec::new(), Vec::new()];
+            let gathered = W::gather(self.0, &at);
+            for x in gathered {
+                x.to_slice(&mut numbers);
+                out[0].extend(&numbers[..W::WIDTH]);
+            }
+            let mut values = vec![W::ZERO; MOST_LANES];
+            for (k, value) in values.iter_mut().enumerate() {
+                *value = W::from_slice(&self.0[k * MOST_LANES..]);
+            }
+            for (k, at) in at.iter_mut().enumerate() {
+                *at = k * 3 % MOST_LANES;
+            }
+            for first in (0..W::WIDTH).step_by(4) {
+                for x in W::turn(&values, &at, first) {
+                    x.to_slice(&mut numbers);
+                    out[1].extend(&numbers[..W::WIDTH]);
+                }
+            }
+            let [gathered, turned] = out;
+            (W::WIDTH, gathered, turned)
+        }
+    }
+
+    fn rows_turn_into_lanes<T: Batched>() {
+        let numbers: Vec<T> = (0..MOST_LANES * MOST_LANES).map(|k| T::from_f64(k as f64)).collect();
+        for unit in [Unit::Plain, Unit::Avx2, Unit::Avx512] {
+            let (width, gathered, turned) = T::dispatch_wide(unit, Turns(&numbers));
+            for (place, x) in gathered.iter().enumerate() {
+                let (k, lane) = (place / width, place % width);
+                assert_eq!(x.to_f64(), (7 * (lane * 5 % MOST_LANES) + k) as f64, "{unit:?}");
+            }
+            for (place, x) in turned.iter().enumerate().take(width * width) {
+                let (lane, j) = (place / width, place % width);
+                assert_eq!(x.to_f64(), (MOST_LANES * (j * 3 % MOST_LANES) + lane) as f64, "{unit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn turns_are_exact() {
+        rows_turn_into_lanes::<f32>();
+        rows_turn_into_lanes::<f64>();
     }
 }

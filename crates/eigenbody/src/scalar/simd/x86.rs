@@ -1,7 +1,7 @@
 //! Registers of AVX2 and AVX-512, and the entry functions that are compiled for them.
 
 use super::super::lanes::{LANES, Lane, MOST_LANES, Two, Wide, lane_operators};
-use super::super::{Real, Scalar, only_itself};
+use super::super::{Quad, Real, Scalar, only_itself};
 use super::{Algorithm, LaneAlgorithm, WideAlgorithm};
 use std::arch::x86_64::*;
 use std::mem::transmute;
@@ -28,10 +28,13 @@ pub(super) fn wide_avx2<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(alg
 }
 
 #[target_feature(enable = "avx2,fma")]
-pub(super) fn one_fused<F: Scalar<Constant = T, Stored = T>, T: Real, A: Algorithm<T>>(
-    algorithm: A,
-) -> A::Output {
-    algorithm.run::<F>()
+pub(super) fn one_fused<F, T, A>(algorithm: A) -> A::Output
+where
+    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
+    T: Real,
+    A: Algorithm<T>,
+{
+    algorithm.run_in_fours::<F>()
 }
 
 // SAFETY of every block below: promise 1 of the module; the types exist only where their features do.
@@ -112,6 +115,10 @@ macro_rules! register {
                     (sin[k], cos[k]) = x[k].sin_cos();
                 }
                 (Self::from_slice(&sin), Self::from_slice(&cos))
+            }
+            #[inline(always)]
+            fn quarters(self, shifted: Self, s: Self, c: Self) -> (Self, Self) {
+                Self::quarters_by_bits(shifted, s, c)
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -262,6 +269,96 @@ register!(
     _mm_set1_ps,
     |a, b, yes, no| _mm_blendv_ps(no, yes, _mm_cmplt_ps(a, b)),
     |x, y| _mm_movemask_ps(_mm_cmplt_ps(x, y)) != 0
+);
+
+/// Quarter turns by the last two bits of n: the last one exchanges sine and cosine, and the one before it is the sign of a sine.
+macro_rules! quarters {
+    (
+        $Type:ident, |$n:ident, $yes:ident, $no:ident| $choose_odd:expr, $bits:ident, $number:ident, $shift:ident, $last:literal,
+        $xor:ident, $and:ident, $plus:ident, $ones:ident
+    ) => {
+        impl $Type {
+            #[inline(always)]
+            fn quarters_by_bits(shifted: Self, s: Self, c: Self) -> (Self, Self) {
+                unsafe {
+                    let $n = $bits(shifted.0);
+                    let sine = {
+                        let ($yes, $no) = (c.0, s.0);
+                        $choose_odd
+                    };
+                    let cosine = {
+                        let ($yes, $no) = (s.0, c.0);
+                        $choose_odd
+                    };
+                    let sign = $bits(Self::all(-0.0).0);
+                    let turns = $and($shift::<{ $last - 1 }>($n), sign);
+                    let turns_on = $and($shift::<{ $last - 1 }>($plus($n, $ones(1))), sign);
+                    (Self($number($xor($bits(sine), turns))), Self($number($xor($bits(cosine), turns_on))))
+                }
+            }
+        }
+    };
+}
+
+quarters!(
+    F64x8,
+    |n, yes, no| _mm512_mask_blend_pd(_mm512_test_epi64_mask(n, _mm512_set1_epi64(1)), no, yes),
+    _mm512_castpd_si512,
+    _mm512_castsi512_pd,
+    _mm512_slli_epi64,
+    63,
+    _mm512_xor_si512,
+    _mm512_and_si512,
+    _mm512_add_epi64,
+    _mm512_set1_epi64
+);
+quarters!(
+    F64x4,
+    |n, yes, no| _mm256_blendv_pd(no, yes, _mm256_castsi256_pd(_mm256_slli_epi64::<63>(n))),
+    _mm256_castpd_si256,
+    _mm256_castsi256_pd,
+    _mm256_slli_epi64,
+    63,
+    _mm256_xor_si256,
+    _mm256_and_si256,
+    _mm256_add_epi64,
+    _mm256_set1_epi64x
+);
+quarters!(
+    F32x16,
+    |n, yes, no| _mm512_mask_blend_ps(_mm512_test_epi32_mask(n, _mm512_set1_epi32(1)), no, yes),
+    _mm512_castps_si512,
+    _mm512_castsi512_ps,
+    _mm512_slli_epi32,
+    31,
+    _mm512_xor_si512,
+    _mm512_and_si512,
+    _mm512_add_epi32,
+    _mm512_set1_epi32
+);
+quarters!(
+    F32x8,
+    |n, yes, no| _mm256_blendv_ps(no, yes, _mm256_castsi256_ps(_mm256_slli_epi32::<31>(n))),
+    _mm256_castps_si256,
+    _mm256_castsi256_ps,
+    _mm256_slli_epi32,
+    31,
+    _mm256_xor_si256,
+    _mm256_and_si256,
+    _mm256_add_epi32,
+    _mm256_set1_epi32
+);
+quarters!(
+    F32x4,
+    |n, yes, no| _mm_blendv_ps(no, yes, _mm_castsi128_ps(_mm_slli_epi32::<31>(n))),
+    _mm_castps_si128,
+    _mm_castsi128_ps,
+    _mm_slli_epi32,
+    31,
+    _mm_xor_si128,
+    _mm_and_si128,
+    _mm_add_epi32,
+    _mm_set1_epi32
 );
 
 /// Some numbers out of a slice, by value.
@@ -415,6 +512,8 @@ impl F32x4 {
         }
     }
 }
+impl Quad<f64> for F64x4 {}
+impl Quad<f32> for F32x4 {}
 
 impl Lane for F64x8 {
     #[inline(always)]

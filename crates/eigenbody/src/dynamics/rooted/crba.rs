@@ -1,0 +1,257 @@
+//! Composite rigid bodies in the root's axes.
+//!
+//! ```text
+//! for i = N..1:   F_d = Ic_i S_d                            into the columns that body i carries
+//!                 H_de = S_d · F_e                          for d of body i and e of its subtree: a row of H
+//!                 F_e: n += r × f                           for e of its subtree: to the parent's origin
+//!                 Ic_p += Ic_i shifted by r
+//! ```
+//! Columns stand four in a block, and a row of H is written block by block. The lower triangle is the upper one, four by four.
+
+use super::moments::Moments;
+use super::{Stand, columns, combined, components, stand, suits};
+use crate::dynamics::posture::Posture;
+use crate::matrix::Matrix;
+use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
+use crate::scalar::{Quad, Real, Scalar};
+use crate::spatial::Vec3;
+
+/// Slots of a block.
+const WIDTH: usize = 4;
+
+/// Moment and force of four columns.
+type Columns<T> = [[T; WIDTH]; 6];
+
+/// Room for [`crba`]; empty for a mechanism that it does not suit.
+#[derive(Debug, Clone)]
+pub(in crate::dynamics) struct CrbaRoom<T> {
+    /// N.
+    stands: Vec<Stand<T>>,
+    /// N: moments of what a body with several children carries, h first.
+    waiting: Vec<[[T; 4]; 4]>,
+    /// Columns of F by slot, each about the origin of the body that it has come to.
+    F: Vec<Columns<T>>,
+}
+
+impl<T: Scalar> CrbaRoom<T> {
+    pub fn new(mechanism: &Mechanism<T::Constant>) -> Self {
+        let (n, blocks) = match suits::<T>(mechanism) {
+            true => (mechanism.members.len(), mechanism.blocks.len()),
+            false => (0, 0),
+        };
+        Self {
+            stands: vec![Stand::ROOT; n],
+            waiting: vec![[[T::ZERO; 4]; 4]; n],
+            F: vec![[[T::ZERO; WIDTH]; 6]; blocks],
+        }
+    }
+}
+
+/// H, both triangles, of a mechanism whose degrees of freedom ascend.
+#[inline(always)]
+pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
+    model: &Model<T>,
+    posture: &Posture<T>,
+    q: &[T],
+    CrbaRoom { stands, waiting, F }: &mut CrbaRoom<T>,
+    H: &mut Matrix<T>,
+) {
+    H.fill(T::ZERO);
+    let (nv, H) = (H.cols(), H.as_mut_slice());
+    let Mechanism { members, blocks, reach, .. } = &model.mechanism;
+    let n = members.len();
+    stand::<T, Q>(&model.mechanism, posture, q, stands);
+    let (stands, waiting) = (&stands[..n], &mut waiting[..n]);
+    let F = &mut F[..blocks.len()];
+    let mut next = Moments { h: Q::ZERO, P: Vec3::ZERO };
+    for i in (0..n).rev() {
+        let (m, at) = (&members[i], &stands[i]);
+        let mut Ic = Moments::<Q>::own(m, at);
+        if !m.place.leaf {
+            Ic = Ic.plus(next);
+            if m.place.branches {
+                Ic = Ic.plus(load(&waiting[i]));
+            }
+        }
+        let (d, lane) = (m.v0 as usize, m.lane as usize);
+        let subtree = m.blocks.start as usize..m.blocks.end as usize;
+        let (F, blocks) = (&mut F[subtree.clone()], &blocks[subtree]);
+        if m.motion == MotionKind::Other {
+            several::<T, Q>(m, columns(m, posture, at), &Ic, F, blocks, (&mut *H, nv), components(&at.r));
+        } else {
+            let (z, axis) = (components::<T, Q>(&at.z), Q::from_slice(&at.z));
+            let hinge = m.motion == MotionKind::Hinge;
+            let (n, f) = match hinge {
+                true => (combined(Ic.rotational(), z), axis.cross(Ic.h)),
+                false => (Ic.h.cross(axis), axis * Q::constant(m.carried)),
+            };
+            put(F, lane, n, f);
+            let (r, H) = (components(&at.r), &mut H[d * nv..][..nv]);
+            for (F, block) in F.iter_mut().zip(blocks) {
+                let (n, f) = load_columns::<T, Q>(F);
+                write(block, combined(if hinge { n } else { f }, z), H);
+                carry(F, n, f, r);
+            }
+        }
+        if m.parent > 0 {
+            let up = Ic.shifted(m.carried, &at.r);
+            let p = m.parent as usize - 1;
+            if m.place.first {
+                next = up;
+            } else {
+                let up = if m.place.last { up } else { up.plus(load(&waiting[p])) };
+                let Vec3 { x, y, z } = up.P;
+                waiting[p] = [up.h.numbers(), x.numbers(), y.numbers(), z.numbers()];
+            }
+        }
+    }
+    let mut diagonal = 0;
+    for &armature in &model.armature {
+        H[diagonal] += armature;
+        diagonal += nv + 1;
+    }
+    mirror::<T, Q>(H, nv, reach);
+}
+
+/// The rows of a body with a joint of several degrees of freedom, or of an uncommon one.
+#[inline(always)]
+fn several<T: Real, Q: Quad<T>>(
+    m: &Member<T>,
+    (S, count): ([(Q, Q); 6], usize),
+    Ic: &Moments<Q>,
+    F: &mut [Columns<T>],
+    blocks: &[Block],
+    (H, nv): (&mut [T], usize),
+    r: Vec3<Q>,
+) {
+    let (I, d, lane) = (Ic.rotational(), m.v0 as usize, m.lane as usize);
+    for (slot, &(w, v)) in (lane..).zip(&S[..count]) {
+        let [wx, wy, wz, _] = w.each();
+        let n = combined(I, Vec3::new(wx, wy, wz)) + Ic.h.cross(v);
+        let f = v.mul_add(Q::constant(m.carried), w.cross(Ic.h));
+        put(&mut F[slot / WIDTH..], slot % WIDTH, n, f);
+    }
+    for ((d, column), (w, v)) in (d..).zip(m.joint.columns()).zip(&S[..count]) {
+        let H = &mut H[d * nv..][..nv];
+        match column.place() {
+            // The axes of a root are its own.
+            Some(place) if m.parent == 0 => {
+                for (F, block) in F.iter().zip(blocks) {
+                    write(block, Q::from_slice(&F[place]), H);
+                }
+            }
+            _ => {
+                let ([wx, wy, wz, _], [vx, vy, vz, _]) = (w.each(), v.each());
+                let (w, v) = (Vec3::new(wx, wy, wz), Vec3::new(vx, vy, vz));
+                for (F, block) in F.iter().zip(blocks) {
+                    let (n, f) = load_columns::<T, Q>(F);
+                    write(block, combined(n, w) + combined(f, v), H);
+                }
+            }
+        }
+    }
+    if m.parent > 0 {
+        for F in F {
+            let (n, f) = load_columns::<T, Q>(F);
+            carry(F, n, f, r);
+        }
+    }
+}
+
+/// The entries of a row of H at the slots of a block. Whatever it writes below the diagonal is written over later.
+#[inline(always)]
+fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
+    match H.get_mut(block.first as usize..block.first as usize + WIDTH) {
+        Some(H) => x.to_slice(H),
+        None => {
+            for (&dof, x) in block.dofs.iter().zip(x.numbers()) {
+                if dof != EMPTY {
+                    H[dof as usize] = x;
+                }
+            }
+        }
+    }
+}
+
+/// The lower triangle from the upper. The last four by four may meet the one before: it writes the same there.
+#[inline(always)]
+fn mirror<T: Real, Q: Quad<T>>(H: &mut [T], n: usize, reach: &[u32]) {
+    let Some(last) = n.checked_sub(WIDTH) else {
+        for d in 0..n {
+            for e in d + 1..n {
+                H[e * n + d] = H[d * n + e];
+            }
+        }
+        return;
+    };
+    for (d, &reach) in (0..n).step_by(WIDTH).zip(reach) {
+        let d = d.min(last);
+        let H = &mut H[d * n..];
+        let tile = symmetric(four::<T, Q>(&H[d..], n));
+        put_four(tile, &mut H[d..], n);
+        for e in (WIDTH..reach as usize - d).step_by(WIDTH) {
+            let e = e.min(last - d);
+            let tile = Q::transpose(four(&H[d + e..], n));
+            put_four(tile, &mut H[e * n + d..], n);
+        }
+    }
+}
+
+#[inline(always)]
+fn put_four<T: Real, Q: Quad<T>>([x, y, z, w]: [Q; 4], H: &mut [T], n: usize) {
+    let H = &mut H[..3 * n + WIDTH];
+    x.to_slice(H);
+    y.to_slice(&mut H[n..]);
+    z.to_slice(&mut H[2 * n..]);
+    w.to_slice(&mut H[3 * n..]);
+}
+
+#[inline(always)]
+fn load<T: Real, Q: Quad<T>>([h, x, y, z]: &[[T; 4]; 4]) -> Moments<Q> {
+    Moments { h: Q::from_slice(h), P: Vec3::new(Q::from_slice(x), Q::from_slice(y), Q::from_slice(z)) }
+}
+
+/// A column into its place in the first block.
+#[inline(always)]
+fn put<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], place: usize, n: Q, f: Q) {
+    let ([nx, ny, nz, _], [fx, fy, fz, _]) = (n.numbers(), f.numbers());
+    if let Some(F) = F.first_mut() {
+        for (row, x) in F.iter_mut().zip([nx, ny, nz, fx, fy, fz]) {
+            row[place % WIDTH] = x;
+        }
+    }
+}
+
+/// Moments and forces, component by component.
+#[inline(always)]
+fn load_columns<T: Real, Q: Quad<T>>([nx, ny, nz, fx, fy, fz]: &Columns<T>) -> (Vec3<Q>, Vec3<Q>) {
+    let n = Vec3::new(Q::from_slice(nx), Q::from_slice(ny), Q::from_slice(nz));
+    (n, Vec3::new(Q::from_slice(fx), Q::from_slice(fy), Q::from_slice(fz)))
+}
+
+/// n + r × f. A slot of a body further in is not yet written, and comes to no harm.
+#[inline(always)]
+fn carry<T: Real, Q: Quad<T>>(F: &mut Columns<T>, n: Vec3<Q>, f: Vec3<Q>, r: Vec3<Q>) {
+    F[0] = r.y.mul_add(f.z, (-r.z).mul_add(f.y, n.x)).numbers();
+    F[1] = r.z.mul_add(f.x, (-r.x).mul_add(f.z, n.y)).numbers();
+    F[2] = r.x.mul_add(f.y, (-r.y).mul_add(f.x, n.z)).numbers();
+}
+
+/// Four numbers of each of four rows.
+#[inline(always)]
+fn four<T: Real, Q: Quad<T>>(U: &[T], stride: usize) -> [Q; 4] {
+    let U = &U[..3 * stride + WIDTH];
+    [
+        Q::from_slice(U),
+        Q::from_slice(&U[stride..]),
+        Q::from_slice(&U[2 * stride..]),
+        Q::from_slice(&U[3 * stride..]),
+    ]
+}
+
+/// The upper triangle twice.
+#[inline(always)]
+fn symmetric<T: Real, Q: Quad<T>>([a, b, c, d]: [Q; 4]) -> [Q; 4] {
+    let (x, y, z, w) = (a.numbers(), b.numbers(), c.numbers(), d.numbers());
+    [a, Q::of([x[1], y[1], y[2], y[3]]), Q::of([x[2], y[2], z[2], z[3]]), Q::of([x[3], y[3], z[3], w[3]])]
+}

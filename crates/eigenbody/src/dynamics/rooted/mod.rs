@@ -1,0 +1,140 @@
+//! One configuration, in the axes of the body at the root: a vector is a register, and nothing turns on its way along a branch.
+//!
+//! ```text
+//! R_i = R_p Eᵀ        the axes of body i, as columns        R = 1 at a root
+//! r_i = R_p r         its origin, seen from its parent's
+//! ```
+//! Every vector and inertia of body i is about its own origin, so that nothing cancels that did not in the body's frame; moving it
+//! to the parent is a shift by r alone. Neither H nor C depend on where a free base stands, nor on how its axes lie.
+
+mod aba;
+mod crba;
+mod moments;
+mod rnea;
+
+pub(super) use aba::{AbaRoom, aba};
+pub(super) use crba::{CrbaRoom, crba};
+pub(super) use rnea::{RneaRoom, rnea};
+
+use super::posture::Posture;
+use crate::model::{Mechanism, Member, MotionKind, with_twist};
+use crate::scalar::{Quad, Real, Scalar};
+use crate::spatial::{Motion, ThenZ, Vec3};
+
+/// Up to so many degrees of freedom: in longer chains the axes of the last body collect what every joint rounds.
+const LARGEST: usize = 64;
+
+/// Whether a mechanism is of the size that this is for, and T one number.
+pub(super) fn suits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {
+    mechanism.slots.len() <= LARGEST && size_of::<T>() == size_of::<T::Constant>()
+}
+
+/// A body's axes and where its origin stands, seen from its parent's.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
+pub(super) struct Stand<T> {
+    x: [T; 4],
+    y: [T; 4],
+    z: [T; 4],
+    r: [T; 4],
+}
+
+impl<T: Scalar> Stand<T> {
+    pub const ROOT: Self = {
+        let (o, l) = (T::ZERO, T::ONE);
+        Self { x: [l, o, o, o], y: [o, l, o, o], z: [o, o, l, o], r: [o; 4] }
+    };
+}
+
+impl<T: Real> Stand<T> {
+    #[inline(always)]
+    fn axes<Q: Quad<T>>(&self) -> Vec3<Q> {
+        Vec3::new(Q::from_slice(&self.x), Q::from_slice(&self.y), Q::from_slice(&self.z))
+    }
+
+    /// R v.
+    #[inline(always)]
+    fn turned<Q: Quad<T>>(&self, v: Vec3<T>) -> Q {
+        combined(self.axes::<Q>(), spread(v))
+    }
+}
+
+/// Each component in a register.
+#[inline(always)]
+fn spread<T: Real, Q: Quad<T>>(v: Vec3<T>) -> Vec3<Q> {
+    Vec3::new(Q::constant(v.x), Q::constant(v.y), Q::constant(v.z))
+}
+
+/// The first three numbers, each in a register.
+#[inline(always)]
+fn components<T: Real, Q: Quad<T>>(v: &[T; 4]) -> Vec3<Q> {
+    Vec3::new(Q::constant(v[0]), Q::constant(v[1]), Q::constant(v[2]))
+}
+
+/// A v, by the columns of A or, where it is symmetric, its rows; aᵀ A by the rows of any.
+#[inline(always)]
+fn combined<T: Real, Q: Quad<T>>(A: Vec3<Q>, v: Vec3<Q>) -> Q {
+    A.x.mul_add(v.x, A.y.mul_add(v.y, A.z * v.z))
+}
+
+/// The unit vectors.
+#[inline(always)]
+fn units<T: Real, Q: Quad<T>>() -> Vec3<Q> {
+    let (o, l) = (T::ZERO, T::ONE);
+    Vec3::new(Q::of([l, o, o, o]), Q::of([o, l, o, o]), Q::of([o, o, l, o]))
+}
+
+/// Every body's stand, from the root on.
+#[inline(always)]
+fn stand<T: Real, Q: Quad<T>>(
+    mechanism: &Mechanism<T>,
+    posture: &Posture<T>,
+    q: &[T],
+    stands: &mut [Stand<T>],
+) {
+    let n = mechanism.members.len();
+    let (stands, sin, cos) = (&mut stands[..n], &posture.sin[..n], &posture.cos[..n]);
+    for (i, m) in mechanism.members.iter().enumerate() {
+        let Some(p) = (m.parent as usize).checked_sub(1) else {
+            stands[i] = Stand::ROOT;
+            continue;
+        };
+        let (R, r) = (stands[p].axes::<Q>(), m.r);
+        let (own, r) = match m.motion {
+            MotionKind::Hinge => {
+                let turn = (Q::constant(sin[i]), Q::constant(cos[i]));
+                (with_twist!(m, C: Q => turned(R, ThenZ { turn, first: C })), r)
+            }
+            MotionKind::Slide => (turned(R, m.C.map(Q::constant)), m.C.z.mul_add(q[m.q0 as usize], r)),
+            MotionKind::Other => (turned(R, posture.X[i].E.map(Q::constant)), posture.X[i].r),
+        };
+        let r = combined(R, spread(r));
+        stands[i] = Stand { x: own.x.numbers(), y: own.y.numbers(), z: own.z.numbers(), r: r.numbers() };
+    }
+}
+
+/// R Eᵀ: to the three columns of R, E does what it does to the components of a vector.
+#[inline(always)]
+fn turned<Q: Scalar, E: crate::spatial::Rotation<Q>>(R: Vec3<Q>, E: E) -> Vec3<Q> {
+    E.times(R)
+}
+
+/// The columns of S of a joint of any kind, angular and linear.
+#[inline(always)]
+fn columns<T: Real, Q: Quad<T>>(
+    m: &Member<T>,
+    posture: &Posture<T>,
+    stand: &Stand<T>,
+) -> ([(Q, Q); 6], usize) {
+    let mut columns = [(Q::ZERO, Q::ZERO); 6];
+    let count = m.joint.nv().min(6);
+    for (k, column) in columns[..count].iter_mut().enumerate() {
+        let Motion { ang, lin } = match m.motion {
+            MotionKind::Hinge => Motion::new(Vec3::Z, Vec3::ZERO),
+            MotionKind::Slide => Motion::new(Vec3::ZERO, Vec3::Z),
+            MotionKind::Other => posture.S[m.v0 as usize + k],
+        };
+        *column = (stand.turned(ang), stand.turned(lin));
+    }
+    (columns, count)
+}

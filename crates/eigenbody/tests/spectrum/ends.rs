@@ -1,0 +1,70 @@
+//! Both ends of dense spectra against the whole of them.
+
+use eigenbody::Matrix;
+use eigenbody::model::Random;
+use eigenbody::scalar::Real;
+use eigenbody::spectrum::{EndsWorkspace, eigenvalues, extreme_eigenvalues, extreme_eigenvalues_into};
+
+/// Qᵀ diag(λ) Q, Q a product of reflections.
+fn with_spectrum(values: &[f64], seed: u64) -> Vec<Vec<f64>> {
+    let (n, mut random) = (values.len(), Random::new(seed));
+    let mut A: Vec<Vec<f64>> =
+        (0..n).map(|i| (0..n).map(|j| if i == j { values[i] } else { 0.0 }).collect()).collect();
+    for _ in 0..3 {
+        let v: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+        let scale = 2.0 / v.iter().map(|x| x * x).sum::<f64>();
+        let Av: Vec<f64> = A.iter().map(|row| row.iter().zip(&v).map(|(a, v)| a * v).sum()).collect();
+        let K = scale * Av.iter().zip(&v).map(|(a, v)| a * v).sum::<f64>();
+        for i in 0..n {
+            for j in 0..n {
+                A[i][j] -= scale * (Av[i] * v[j] + v[i] * Av[j]) - scale * K * v[i] * v[j];
+            }
+        }
+    }
+    (0..n).map(|i| (0..n).map(|j| 0.5 * (A[i][j] + A[j][i])).collect()).collect()
+}
+
+/// Spread over many decades, equal, in clusters, with zeros, and of every size about those of whole registers.
+fn spectra() -> Vec<Vec<f64>> {
+    let mut spectra = Vec::new();
+    for n in (1..=13).chain([31, 32, 33, 64, 65]) {
+        let graded = |decades: f64| (0..n).map(|k| 10f64.powf(-decades * k as f64 / n as f64)).collect();
+        spectra.extend([graded(0.0), graded(1.0), graded(5.0), graded(12.0)]);
+        spectra.push((0..n).map(|k| if k % 2 == 0 { 1.0 } else { 1e-4 }).collect());
+        spectra.push((0..n).map(|k| if k == 0 { 1e6 } else { 1.0 + 1e-9 * k as f64 }).collect());
+        spectra.push((0..n).map(|k| (k / 2) as f64).collect());
+    }
+    spectra
+}
+
+fn ends_of_known_spectra<T: Real>() {
+    for (seed, values) in spectra().into_iter().enumerate() {
+        let (n, A) = (values.len(), with_spectrum(&values, seed as u64));
+        let H = Matrix::from_fn(n, n, |i, j| T::from_f64(A[i][j]));
+        let B: Vec<T> = (0..n).map(|d| T::from_f64(1.0 + (seed % 2 * d) as f64)).collect();
+        let scaled = Matrix::from_fn(n, n, |i, j| H[(i, j)] / (B[i] * B[j]).sqrt());
+        let all = eigenvalues(&scaled, &vec![T::ONE; n]).unwrap();
+        let mut room = EndsWorkspace::new(n);
+        // Nothing of another matrix is left in the workspace.
+        extreme_eigenvalues_into(&Matrix::from_fn(n, n, |_, _| T::ONE), &B, &mut room).unwrap();
+        let [min, max] = extreme_eigenvalues_into(&H, &B, &mut room).unwrap();
+        assert_eq!([min, max], extreme_eigenvalues(&H, &B).unwrap());
+        let size = all[n - 1].to_f64();
+        let bound = 20.0 * n as f64 * T::EPSILON * size;
+        let apart = [(min - all[0]).to_f64().abs(), (max - all[n - 1]).to_f64().abs()];
+        // Where rounding has made λmin negative, it is found as zero.
+        let below = all[0].to_f64().min(0.0).abs();
+        assert!(apart[0] <= bound + below, "λmin, n = {n}, {seed}: {:e} of {bound:e}", apart[0]);
+        assert!(apart[1] <= bound, "λmax, n = {n}, {seed}: {:e} of {bound:e}", apart[1]);
+    }
+}
+
+#[test]
+fn a_matrix_of_zeros_has_none_but_zeros() {
+    for n in [0, 1, 3, 4, 9] {
+        let zeros: Matrix<f64> = Matrix::zeros(n, n);
+        assert_eq!(extreme_eigenvalues(&zeros, &vec![1.0; n]).unwrap(), [0.0, 0.0], "{n}");
+    }
+}
+
+scalars!(ends_of_known_spectra);
