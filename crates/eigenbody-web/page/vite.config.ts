@@ -1,7 +1,7 @@
 import { defineConfig, type Plugin } from "vitest/config";
 
 /**
- * `EIGENBODY=http://127.0.0.1:PORT npm run dev`: the sources, live, before the server of `eigenbody serve --port PORT`.
+ * `EXPLORER=http://127.0.0.1:PORT npm run dev`: the sources, live, before the server of `eigenbody serve --port PORT`.
  *
  * That server answers its own page alone, so requests go to it as if they were that page's.
  */
@@ -29,7 +29,7 @@ function served(at: string | undefined): Plugin | null {
 
 // Names without hashes: the committed bundle then changes only where the sources do.
 export default defineConfig({
-  plugins: [served(process.env["EIGENBODY"])],
+  plugins: [served(process.env["EXPLORER"])],
   build: {
     target: "es2022",
     modulePreload: false,
