@@ -177,7 +177,9 @@ def test_refusals(options, error, words):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 def test_ctrl_c_is_heard():
     code = (
-        "import eigenbody, sys\n"
+        "import eigenbody, signal\n"
+        # What runs in the background of a shell ignores it from the start.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "print('begun', flush=True)\n"
         "eigenbody.Model.hydra(40).simulate(1e5, rate=1e-4, method='rk4', step=1e-3, monitors=[])\n"
     )
