@@ -1,14 +1,13 @@
 //! The position pass of the fast kernels: sines and cosines of all hinges at once, and where all other joints stand.
 
 use crate::model::{COLUMNS, Mechanism, Member, MotionKind};
-use crate::scalar::{Scalar, sin_cos_all};
+use crate::scalar::{Scalar, sin_cos_columns};
 use crate::spatial::{Mat3, Motion, Placed, Transform, Vec3};
 
 /// A mechanism at q.
 #[derive(Debug, Clone)]
 pub(crate) struct Posture<T> {
-    /// N, rounded up to whole columns: the angle of each hinge, zero for other joints; sine and cosine of angle and offset.
-    angle: Vec<T>,
+    /// N, rounded up to whole columns: sine and cosine of each hinge's angle and offset.
     pub sin: Vec<T>,
     pub cos: Vec<T>,
     /// From the parent to the body, and columns of S by DoF: for joints that are neither hinge nor slide.
@@ -27,7 +26,6 @@ impl<T: Scalar> Posture<T> {
         let width = if size_of::<T>() == size_of::<T::Constant>() { COLUMNS } else { 1 };
         let zeros = vec![T::ZERO; n.next_multiple_of(width)];
         Self {
-            angle: zeros.clone(),
             sin: zeros.clone(),
             cos: zeros,
             X: vec![Transform::IDENTITY; bodies],
@@ -37,16 +35,17 @@ impl<T: Scalar> Posture<T> {
 
     #[inline(always)]
     pub fn update<S: Scalar<Stored = T>>(&mut self, mechanism: &Mechanism<S::Constant>, q: &[T]) {
-        let Self { angle, sin, cos, .. } = self;
-        for (angle, m) in angle.iter_mut().zip(&mechanism.members) {
-            *angle = if m.motion == MotionKind::Hinge { q[m.q0 as usize] } else { T::ZERO };
-        }
-        sin_cos_all::<S>(angle, sin, cos);
+        let Self { sin, cos, .. } = self;
         let (s0, c0) =
             (mechanism.sin_offset.chunks_exact(S::COLUMNS), mechanism.cos_offset.chunks_exact(S::COLUMNS));
         let (sin, cos) = (sin.chunks_exact_mut(S::COLUMNS), cos.chunks_exact_mut(S::COLUMNS));
-        for ((sin, cos), (s0, c0)) in sin.zip(cos).zip(s0.zip(c0)) {
-            let (s, c) = (S::load_columns(sin), S::load_columns(cos));
+        let places = mechanism.angles.chunks_exact(S::COLUMNS);
+        for ((places, (sin, cos)), (s0, c0)) in places.zip(sin.zip(cos)).zip(s0.zip(c0)) {
+            let mut angles = [T::ZERO; COLUMNS];
+            for k in 0..S::COLUMNS {
+                angles[k] = q[places[k] as usize];
+            }
+            let (s, c) = sin_cos_columns::<S>(S::load_columns(&angles));
             let (s0, c0) = (S::constant_columns(s0), S::constant_columns(c0));
             S::store_columns(s.mul_add(c0, c * s0), sin);
             S::store_columns(c.mul_add(c0, -(s * s0)), cos);

@@ -10,7 +10,7 @@
 
 use super::body::{Body, JointInfo, WORLD};
 use crate::joint::Joint;
-use crate::scalar::Real;
+use crate::scalar::{MOST_COLUMNS, Real};
 use crate::spatial::{Mat3, PseudoInertia, Transform, Vec3};
 use std::ops::Range;
 
@@ -21,6 +21,8 @@ const ROUND: f64 = 4.0;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mechanism<T> {
     pub members: Vec<Member<T>>,
+    /// Where each hinge's angle stands in q, and anything else for other joints; rounded up to whole columns.
+    pub angles: Vec<u32>,
     /// Sine and cosine of γ, and of a prismatic joint's turn as a whole; rounded up to whole columns.
     pub sin_offset: Vec<T>,
     pub cos_offset: Vec<T>,
@@ -29,6 +31,8 @@ pub(crate) struct Mechanism<T> {
     pub slots: Vec<u32>,
     /// The same slots by blocks.
     pub blocks: Vec<Block>,
+    /// Whether every entry of H is one of two degrees of freedom on one path.
+    pub full: bool,
     /// By four rows of H: one more than the last degree of freedom that any of them has an entry with.
     pub reach: Vec<u32>,
     /// Nobody's degrees of freedom come before those of the body that carries it.
@@ -39,8 +43,8 @@ pub(crate) struct Mechanism<T> {
     pub depth: usize,
 }
 
-/// The most numbers that any scalar has side by side for one configuration, and slots of a block.
-pub(crate) const COLUMNS: usize = 4;
+/// Slots of a block.
+pub(crate) const COLUMNS: usize = MOST_COLUMNS;
 /// Slots of a mechanism up to which rows of H are laid out in blocks. In longer chains, the axes of a root collect what every joint rounds.
 pub(crate) const SMALL: usize = 64;
 /// A slot without a degree of freedom.
@@ -49,11 +53,13 @@ pub(crate) const EMPTY: u32 = u32::MAX;
 /// Slots side by side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Block {
-    /// The first degree of freedom, if the block can be written into a row of H as one: the others follow, and where they are fewer
-    /// than [`COLUMNS`], the row goes on and what stands there is still to be written. Else [`EMPTY`].
-    pub first: u32,
     /// The degree of freedom in each slot, or [`EMPTY`].
     pub dofs: [u32; COLUMNS],
+    /// How many there are, if they follow one another; else 0.
+    pub run: u32,
+    /// Whether as many numbers as there are slots can go into a row of H as one: where degrees of freedom that follow one another are
+    /// fewer, the row goes on, and what stands there is still to be written.
+    pub whole: bool,
 }
 
 /// A body.
@@ -64,6 +70,8 @@ pub(crate) struct Member<T> {
     /// Blocks of these slots, and where its own stand in the first.
     pub blocks: Range<u32>,
     pub lane: u32,
+    /// Whether no slot after its own is taken in the last block of its own.
+    pub last: bool,
     /// One more than the body that carries it, 0 for the world.
     pub parent: u32,
     /// Bodies on the path from the world, itself included. In pre-order, what stands in a row for a level is the ancestor's.
@@ -166,10 +174,12 @@ impl<T: Real> Mechanism<T> {
             slots: Vec::new(),
             blocks: Vec::new(),
             reach: vec![0; nv.div_ceil(COLUMNS)],
+            full: false,
             ascending: true,
             quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
             depth: 0,
             members: Vec::with_capacity(bodies.len()),
+            angles: Vec::with_capacity(bodies.len()),
             sin_offset: Vec::with_capacity(bodies.len()),
             cos_offset: Vec::with_capacity(bodies.len()),
         };
@@ -204,6 +214,7 @@ impl<T: Real> Mechanism<T> {
                 slots: first..slots.len() as u32,
                 blocks: 0..0,
                 lane: first % COLUMNS as u32,
+                last: true,
                 parent: if body.parent == WORLD { 0 } else { body.parent + 1 },
                 level,
                 q0: body.q0,
@@ -222,6 +233,8 @@ impl<T: Real> Mechanism<T> {
                 },
                 joint: body.joint,
             });
+            let hinge = if motion == MotionKind::Hinge { Some(body.q0) } else { None };
+            mechanism.angles.push(hinge.or(mechanism.angles.last().copied()).unwrap_or(0));
             mechanism.sin_offset.push(offset.s);
             mechanism.cos_offset.push(offset.c);
         }
@@ -240,6 +253,7 @@ impl<T: Real> Mechanism<T> {
         }
         mechanism.slots.resize(mechanism.slots.len().next_multiple_of(COLUMNS), EMPTY);
         let whole = bodies.len().next_multiple_of(COLUMNS);
+        mechanism.angles.resize(whole, mechanism.angles.last().copied().unwrap_or(0));
         mechanism.sin_offset.resize(whole, T::ZERO);
         mechanism.cos_offset.resize(whole, T::ONE);
         if mechanism.slots.len() <= SMALL {
@@ -251,17 +265,23 @@ impl<T: Real> Mechanism<T> {
     /// Where the rows of H go.
     fn lay_out_rows(&mut self, nv: usize) {
         self.blocks = blocks(&self.slots, nv);
+        let mut entries = 0;
         for m in &mut self.members {
             m.blocks = m.slots.start / COLUMNS as u32..m.slots.end.div_ceil(COLUMNS as u32);
             let subtree = &self.slots[m.slots.start as usize..m.slots.end as usize];
             let dofs = subtree.iter().filter(|&&dof| dof != EMPTY);
             let (v0, nv) = (m.v0, m.joint.nv() as u32);
             self.ascending &= dofs.clone().all(|&dof| dof >= v0);
+            let own = m.joint.nv();
+            let after = m.slots.start as usize + own;
+            m.last = after % COLUMNS == 0 || self.slots[after] == EMPTY;
+            entries += own * (2 * dofs.clone().count() - own);
             let last = dofs.max().map_or(0, |&dof| dof + 1);
             for row in v0 as usize / COLUMNS..(v0 + nv).div_ceil(COLUMNS as u32) as usize {
                 self.reach[row] = last.max(self.reach[row]);
             }
         }
+        self.full = entries == nv * nv;
     }
 }
 
@@ -273,8 +293,9 @@ fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
         let written = &slots[..k * COLUMNS];
         let covered = (0..COLUMNS as u32).skip(count).any(|l| written.contains(&(first + l)));
         Block {
-            first: if consecutive && fits && !covered { first } else { EMPTY },
             dofs: [dofs[0], dofs[1], dofs[2], dofs[3]],
+            run: if consecutive { count as u32 } else { 0 },
+            whole: consecutive && fits && !covered,
         }
     };
     slots.chunks_exact(COLUMNS).enumerate().map(block).collect()

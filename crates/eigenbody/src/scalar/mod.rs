@@ -20,7 +20,7 @@ pub use lanes::{Array, LANES, Lane, MOST_LANES, Wide};
 pub use quad::Quad;
 pub use simd::{Algorithm, Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one};
 pub use trig::Trig;
-pub(crate) use trig::sin_cos_all;
+pub(crate) use trig::sin_cos_columns;
 
 /// What a scalar says of columns and memory that is only itself.
 macro_rules! only_itself {
@@ -58,6 +58,9 @@ pub(crate) use only_itself;
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// The most columns that any scalar has.
+pub(crate) const MOST_COLUMNS: usize = 4;
 
 /// A number, or several side by side, as a kernel sees it.
 pub trait Scalar:

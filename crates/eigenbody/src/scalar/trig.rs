@@ -6,10 +6,10 @@
 //! turned by n mod 4:  n even: (s, c), odd: (c, −s);  n mod 4 in {2, 3}: both negated
 //! ```
 //! Reduction after Cody and Waite (1980); polynomials of FreeBSD's msun (f64) and Cephes (f32). Within 1 ulp in f64 up to
-//! 800,000 rad; in f32 within 1.5 ulp up to 3000 rad, or 1e-11 where sine or cosine is smaller than 1e-4. If any angle is larger, all go to
-//! [`Scalar::sin_cos`].
+//! 800,000 rad; in f32 within 1.5 ulp up to 3000 rad, or 1e-11 where sine or cosine is smaller than 1e-4. Where one of those side by side is larger, they go
+//! to [`Scalar::sin_cos`].
 
-use super::{Real, Scalar};
+use super::{MOST_COLUMNS, Real, Scalar};
 
 /// What one precision needs.
 #[derive(Debug, Clone, Copy)]
@@ -63,33 +63,24 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
 };
 
-/// Sines and cosines of all `angles`, as long as both outputs. What does not fill the columns of a scalar is left out.
+/// Sines and cosines of angles side by side.
 #[inline(always)]
-pub(crate) fn sin_cos_all<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::Stored]) {
-    let limit = S::Constant::TRIG.as_ref().map_or(S::Constant::ZERO, |trig| trig.limit);
-    let mut beyond = false;
-    for x in angles.chunks_exact(S::COLUMNS) {
-        beyond |= S::load_columns(x).abs().any_above(limit);
-    }
+pub(crate) fn sin_cos_columns<S: Scalar>(x: S::Columns) -> (S::Columns, S::Columns) {
     match S::Constant::TRIG {
-        Some(trig) if !beyond => {
-            let (sin, cos) = (sin.chunks_exact_mut(S::COLUMNS), cos.chunks_exact_mut(S::COLUMNS));
-            for ((x, sin), cos) in angles.chunks_exact(S::COLUMNS).zip(sin).zip(cos) {
-                let (s, c) = sin_cos::<S::Columns>(S::load_columns(x), &trig);
-                S::store_columns(s, sin);
-                S::store_columns(c, cos);
-            }
-        }
-        _ => plain::<S>(angles, sin, cos),
+        Some(trig) if !x.abs().any_above(trig.limit) => sin_cos(x, &trig),
+        _ => plain::<S>(x),
     }
 }
 
 #[cold]
 #[inline(never)]
-fn plain<S: Scalar>(angles: &[S::Stored], sin: &mut [S::Stored], cos: &mut [S::Stored]) {
-    for ((&x, sin), cos) in angles.iter().zip(sin).zip(cos) {
-        (*sin, *cos) = x.sin_cos();
+fn plain<S: Scalar>(x: S::Columns) -> (S::Columns, S::Columns) {
+    let (mut sin, mut cos) = ([S::Stored::ZERO; MOST_COLUMNS], [S::Stored::ZERO; MOST_COLUMNS]);
+    S::store_columns(x, &mut sin);
+    for (sin, cos) in sin.iter_mut().zip(&mut cos) {
+        (*sin, *cos) = sin.sin_cos();
     }
+    (S::load_columns(&sin), S::load_columns(&cos))
 }
 
 #[inline(always)]
@@ -164,7 +155,9 @@ mod tests {
             };
             let (mut s, mut c) = ([from_f64(0.0); 4], [from_f64(0.0); 4]);
             let x = from_f64(x);
-            sin_cos_all::<S>(&[x; 4], &mut s, &mut c);
+            let both = sin_cos_columns::<S>(S::load_columns(&[x; 4]));
+            S::store_columns(both.0, &mut s);
+            S::store_columns(both.1, &mut c);
             let (sin, cos) = Dd::from_f64(to_f64(x)).sin_cos();
             for (found, exact) in [(to_f64(s[0]), sin), (to_f64(c[0]), cos)] {
                 let ulp = exact.hi().abs().max(least) * S::Constant::EPSILON;
@@ -202,7 +195,9 @@ mod tests {
             for angles in self.0.chunks_exact(crate::scalar::MOST_LANES) {
                 for angles in angles.chunks_exact(W::WIDTH) {
                     let (mut s, mut c) = ([W::ZERO], [W::ZERO]);
-                    sin_cos_all::<W>(&[W::from_slice(angles)], &mut s, &mut c);
+                    let both = sin_cos_columns::<W>(W::load_columns(&[W::from_slice(angles)]));
+                    W::store_columns(both.0, &mut s);
+                    W::store_columns(both.1, &mut c);
                     let mut numbers = [[T::ZERO; crate::scalar::MOST_LANES]; 2];
                     s[0].to_slice(&mut numbers[0]);
                     c[0].to_slice(&mut numbers[1]);

@@ -56,9 +56,11 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
     CrbaRoom { stands, waiting, F }: &mut CrbaRoom<T>,
     H: &mut Matrix<T>,
 ) {
-    H.fill(T::ZERO);
+    let Mechanism { members, blocks, reach, full, .. } = &model.mechanism;
+    if !full {
+        H.fill(T::ZERO);
+    }
     let (nv, H) = (H.cols(), H.as_mut_slice());
-    let Mechanism { members, blocks, reach, .. } = &model.mechanism;
     let n = members.len();
     stand::<T, Q>(&model.mechanism, posture, q, stands);
     let (stands, waiting) = (&stands[..n], &mut waiting[..n]);
@@ -77,7 +79,16 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
         let subtree = m.blocks.start as usize..m.blocks.end as usize;
         let (F, blocks) = (&mut F[subtree.clone()], &blocks[subtree]);
         if m.motion == MotionKind::Other {
-            several::<T, Q>(m, columns(m, posture, at), &Ic, F, blocks, (&mut *H, nv), components(&at.r));
+            several::<T, Q>(
+                model,
+                m,
+                columns(m, posture, at),
+                &Ic,
+                F,
+                blocks,
+                (&mut *H, nv),
+                components(&at.r),
+            );
         } else {
             let (z, axis) = (components::<T, Q>(&at.z), Q::from_slice(&at.z));
             let hinge = m.motion == MotionKind::Hinge;
@@ -85,11 +96,13 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
                 true => (combined(Ic.rotational(), z), axis.cross(Ic.h)),
                 false => (Ic.h.cross(axis), axis * Q::constant(m.carried)),
             };
-            put(F, lane, n, f);
+            put(F, m, n, f);
             let (r, H) = (components(&at.r), &mut H[d * nv..][..nv]);
+            let mut armature = unit::<T, Q>(lane) * Q::constant(model.armature[d]);
             for (F, block) in F.iter_mut().zip(blocks) {
                 let (n, f) = load_columns::<T, Q>(F);
-                write(block, combined(if hinge { n } else { f }, z), H);
+                write(block, combined(if hinge { n } else { f }, z) + armature, H);
+                armature = Q::ZERO;
                 carry(F, n, f, r);
             }
         }
@@ -105,17 +118,13 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
             }
         }
     }
-    let mut diagonal = 0;
-    for &armature in &model.armature {
-        H[diagonal] += armature;
-        diagonal += nv + 1;
-    }
     mirror::<T, Q>(H, nv, reach);
 }
 
 /// The rows of a body with a joint of several degrees of freedom, or of an uncommon one.
 #[inline(always)]
 fn several<T: Real, Q: Quad<T>>(
+    model: &Model<T>,
     m: &Member<T>,
     (S, count): ([(Q, Q); 6], usize),
     Ic: &Moments<Q>,
@@ -125,29 +134,27 @@ fn several<T: Real, Q: Quad<T>>(
     r: Vec3<Q>,
 ) {
     let (I, d, lane) = (Ic.rotational(), m.v0 as usize, m.lane as usize);
-    for (slot, &(w, v)) in (lane..).zip(&S[..count]) {
+    let mut own = [(Q::ZERO, Q::ZERO); 3 * WIDTH];
+    for (column, &(w, v)) in own[lane..].iter_mut().zip(&S[..count]) {
         let [wx, wy, wz, _] = w.each();
         let n = combined(I, Vec3::new(wx, wy, wz)) + Ic.h.cross(v);
         let f = v.mul_add(Q::constant(m.carried), w.cross(Ic.h));
-        put(&mut F[slot / WIDTH..], slot % WIDTH, n, f);
+        *column = (n, f);
     }
-    for ((d, column), (w, v)) in (d..).zip(m.joint.columns()).zip(&S[..count]) {
-        let H = &mut H[d * nv..][..nv];
-        match column.place() {
-            // The axes of a root are its own.
-            Some(place) if m.parent == 0 => {
-                for (F, block) in F.iter().zip(blocks) {
-                    write(block, Q::from_slice(&F[place]), H);
-                }
-            }
-            _ => {
-                let ([wx, wy, wz, _], [vx, vy, vz, _]) = (w.each(), v.each());
-                let (w, v) = (Vec3::new(wx, wy, wz), Vec3::new(vx, vy, vz));
-                for (F, block) in F.iter().zip(blocks) {
-                    let (n, f) = load_columns::<T, Q>(F);
-                    write(block, combined(n, w) + combined(f, v), H);
-                }
-            }
+    put_all(F, m, &own);
+    if m.parent == 0 && m.joint.columns().iter().all(|column| column.place().is_some()) {
+        return rows_of_root::<T, Q>(model, m, F, blocks, (H, nv));
+    }
+    for (k, &(w, v)) in S[..count].iter().enumerate() {
+        let (first, place) = ((lane + k) / WIDTH, (lane + k) % WIDTH);
+        let H = &mut H[(d + k) * nv..][..nv];
+        let mut armature = unit::<T, Q>(place) * Q::constant(model.armature[d + k]);
+        let ([wx, wy, wz, _], [vx, vy, vz, _]) = (w.each(), v.each());
+        let (w, v) = (Vec3::new(wx, wy, wz), Vec3::new(vx, vy, vz));
+        for (F, block) in F[first..].iter().zip(&blocks[first..]) {
+            let (n, f) = load_columns::<T, Q>(F);
+            write(block, combined(n, w) + combined(f, v) + armature, H);
+            armature = Q::ZERO;
         }
     }
     if m.parent > 0 {
@@ -158,13 +165,45 @@ fn several<T: Real, Q: Quad<T>>(
     }
 }
 
+/// The axes of a root are its own: where its joint moves along and about them, rows of H are rows of F.
+#[inline(always)]
+fn rows_of_root<T: Real, Q: Quad<T>>(
+    model: &Model<T>,
+    m: &Member<T>,
+    F: &mut [Columns<T>],
+    blocks: &[Block],
+    (H, nv): (&mut [T], usize),
+) {
+    let (d, lane, columns) = (m.v0 as usize, m.lane as usize, m.joint.columns());
+    let mut places = [0; 6];
+    for (k, (place, column)) in places.iter_mut().zip(columns).enumerate() {
+        *place = column.place().unwrap_or(0);
+        let row = &mut F[(lane + k) / WIDTH][*place];
+        let armature = unit::<T, Q>((lane + k) % WIDTH) * Q::constant(model.armature[d + k]);
+        *row = (Q::from_slice(row) + armature).numbers();
+    }
+    let H = &mut H[d * nv..][..columns.len() * nv];
+    for (F, block) in F.iter().zip(blocks) {
+        for (&place, H) in places.iter().zip(H.chunks_exact_mut(nv)) {
+            write(block, Q::from_slice(&F[place]), H);
+        }
+    }
+}
+
 /// The entries of a row of H at the slots of a block. Whatever it writes below the diagonal is written over later.
 #[inline(always)]
 fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
-    match H.get_mut(block.first as usize..block.first as usize + WIDTH) {
-        Some(H) => x.to_slice(H),
-        None => {
-            for (&dof, x) in block.dofs.iter().zip(x.numbers()) {
+    let first = block.dofs[0] as usize;
+    if block.whole {
+        return x.to_slice(&mut H[first..first + WIDTH]);
+    }
+    let x = x.numbers();
+    match block.run {
+        3 => H[first..first + 3].copy_from_slice(&x[..3]),
+        2 => H[first..first + 2].copy_from_slice(&x[..2]),
+        1 => H[first] = x[0],
+        _ => {
+            for (&dof, x) in block.dofs.iter().zip(x) {
                 if dof != EMPTY {
                     H[dof as usize] = x;
                 }
@@ -184,7 +223,8 @@ fn mirror<T: Real, Q: Quad<T>>(H: &mut [T], n: usize, reach: &[u32]) {
         }
         return;
     };
-    for (d, &reach) in (0..n).step_by(WIDTH).zip(reach) {
+    // The rows of the root were written last.
+    for (d, &reach) in (0..n).step_by(WIDTH).zip(reach).rev() {
         let d = d.min(last);
         let H = &mut H[d * n..];
         let tile = symmetric(four::<T, Q>(&H[d..], n));
@@ -211,15 +251,38 @@ fn load<T: Real, Q: Quad<T>>([h, x, y, z]: &[[T; 4]; 4]) -> Moments<Q> {
     Moments { h: Q::from_slice(h), P: Vec3::new(Q::from_slice(x), Q::from_slice(y), Q::from_slice(z)) }
 }
 
-/// A column into its place in the first block.
+/// A column into its place in the first block. Places of bodies further in are zero until they are reached.
 #[inline(always)]
-fn put<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], place: usize, n: Q, f: Q) {
-    let ([nx, ny, nz, _], [fx, fy, fz, _]) = (n.numbers(), f.numbers());
+fn put<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], m: &Member<T>, n: Q, f: Q) {
+    let ([nx, ny, nz, _], [fx, fy, fz, _], here) = (n.each(), f.each(), unit::<T, Q>(m.lane as usize));
     if let Some(F) = F.first_mut() {
         for (row, x) in F.iter_mut().zip([nx, ny, nz, fx, fy, fz]) {
-            row[place % WIDTH] = x;
+            let others = if m.last { Q::ZERO } else { Q::from_slice(row) };
+            *row = here.mul_add(x, others).numbers();
         }
     }
+}
+
+/// Columns from the first block on, from their places in it; all others are zero.
+#[inline(always)]
+fn put_all<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], m: &Member<T>, columns: &[(Q, Q); 3 * WIDTH]) {
+    let end = m.lane as usize + m.joint.nv();
+    for (j, (F, columns)) in F[..end.div_ceil(WIDTH)].iter_mut().zip(columns.chunks_exact(WIDTH)).enumerate()
+    {
+        let [a, b, c, d] = [columns[0], columns[1], columns[2], columns[3]];
+        let [nx, ny, nz, _] = Q::transpose([a.0, b.0, c.0, d.0]);
+        let [fx, fy, fz, _] = Q::transpose([a.1, b.1, c.1, d.1]);
+        let alone = m.last || (j + 1) * WIDTH <= end;
+        for (row, x) in F.iter_mut().zip([nx, ny, nz, fx, fy, fz]) {
+            *row = if alone { x } else { x + Q::from_slice(row) }.numbers();
+        }
+    }
+}
+
+/// One in one place.
+#[inline(always)]
+fn unit<T: Real, Q: Quad<T>>(place: usize) -> Q {
+    Q::from_slice(&Stand::<T>::UNITS[place % WIDTH])
 }
 
 /// Moments and forces, component by component.
@@ -229,7 +292,7 @@ fn load_columns<T: Real, Q: Quad<T>>([nx, ny, nz, fx, fy, fz]: &Columns<T>) -> (
     (n, Vec3::new(Q::from_slice(fx), Q::from_slice(fy), Q::from_slice(fz)))
 }
 
-/// n + r × f. A slot of a body further in is not yet written, and comes to no harm.
+/// n + r × f.
 #[inline(always)]
 fn carry<T: Real, Q: Quad<T>>(F: &mut Columns<T>, n: Vec3<Q>, f: Vec3<Q>, r: Vec3<Q>) {
     F[0] = r.y.mul_add(f.z, (-r.z).mul_add(f.y, n.x)).numbers();

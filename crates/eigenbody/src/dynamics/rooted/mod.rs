@@ -37,9 +37,13 @@ pub(super) struct Stand<T> {
 }
 
 impl<T: Scalar> Stand<T> {
-    pub const ROOT: Self = {
+    const UNITS: [[T; 4]; 4] = {
         let (o, l) = (T::ZERO, T::ONE);
-        Self { x: [l, o, o, o], y: [o, l, o, o], z: [o, o, l, o], r: [o; 4] }
+        [[l, o, o, o], [o, l, o, o], [o, o, l, o], [o, o, o, l]]
+    };
+    pub const ROOT: Self = {
+        let [x, y, z, _] = Self::UNITS;
+        Self { x, y, z, r: [T::ZERO; 4] }
     };
 }
 
@@ -77,8 +81,8 @@ fn combined<T: Real, Q: Quad<T>>(A: Vec3<Q>, v: Vec3<Q>) -> Q {
 /// The unit vectors.
 #[inline(always)]
 fn units<T: Real, Q: Quad<T>>() -> Vec3<Q> {
-    let (o, l) = (T::ZERO, T::ONE);
-    Vec3::new(Q::of([l, o, o, o]), Q::of([o, l, o, o]), Q::of([o, o, l, o]))
+    let [x, y, z, _] = Stand::<T>::UNITS;
+    Vec3::new(Q::of(x), Q::of(y), Q::of(z))
 }
 
 /// Every body's stand, from the root on.
@@ -91,12 +95,14 @@ fn stand<T: Real, Q: Quad<T>>(
 ) {
     let n = mechanism.members.len();
     let (stands, sin, cos) = (&mut stands[..n], &posture.sin[..n], &posture.cos[..n]);
+    let mut before = Stand::ROOT.axes::<Q>();
     for (i, m) in mechanism.members.iter().enumerate() {
         let Some(p) = (m.parent as usize).checked_sub(1) else {
             stands[i] = Stand::ROOT;
+            before = stands[i].axes::<Q>();
             continue;
         };
-        let (R, r) = (stands[p].axes::<Q>(), m.r);
+        let (R, r) = (if m.place.first { before } else { stands[p].axes::<Q>() }, m.r);
         let (own, r) = match m.motion {
             MotionKind::Hinge => {
                 let turn = (Q::constant(sin[i]), Q::constant(cos[i]));
@@ -106,6 +112,7 @@ fn stand<T: Real, Q: Quad<T>>(
             MotionKind::Other => (turned(R, posture.X[i].E.map(Q::constant)), posture.X[i].r),
         };
         let r = combined(R, spread(r));
+        before = own;
         stands[i] = Stand { x: own.x.numbers(), y: own.y.numbers(), z: own.z.numbers(), r: r.numbers() };
     }
 }

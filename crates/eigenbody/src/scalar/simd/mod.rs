@@ -7,8 +7,8 @@
 //! 2. Every intrinsic used works on registers: none touches memory, except loads and stores of whole arrays by value.
 //!
 //! Dispatch happens once, around a whole algorithm: the algorithm is generic over its scalar and inlined whole into the entry
-//! function, so that everything in it is compiled for the unit. Plain numbers go to AVX2, where multiplication and addition are one
-//! instruction; AVX-512 would make them slower.
+//! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers; what AVX-512 adds to these
+//! are more of them, and products with a number out of memory.
 
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86;
@@ -65,21 +65,15 @@ impl Unit {
     pub fn widest() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
-            if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") && has_fma() {
-                return Self::Avx512;
-            }
-            if has_fma() {
-                return Self::Avx2;
+            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+                let wide = is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl");
+                return if wide { Self::Avx512 } else { Self::Avx2 };
             }
         }
         Self::Plain
     }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[inline]
-fn has_fma() -> bool {
-    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
 }
 
 /// Runs an algorithm on the widest unit that this processor has.
@@ -110,15 +104,18 @@ where
     T: Real,
     A: Algorithm<T>,
 {
-    #[cfg(target_arch = "x86_64")]
-    if has_fma() {
-        // SAFETY: the processor has the features that the entry function is compiled for.
-        return unsafe { x86::one_fused::<F, _, _>(algorithm) };
-    }
     #[cfg(target_arch = "aarch64")]
     return algorithm.run_in_fours::<F>();
     #[cfg(not(target_arch = "aarch64"))]
-    algorithm.run::<T>()
+    match Unit::widest() {
+        // SAFETY: the processor has the features that the entry function is compiled for.
+        #[cfg(target_arch = "x86_64")]
+        Unit::Avx512 => unsafe { x86::one_avx512::<F, _, _>(algorithm) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Unit::Avx2 => unsafe { x86::one_avx2::<F, _, _>(algorithm) },
+        _ => algorithm.run::<T>(),
+    }
 }
 
 /// Numbers of which the wide units hold several: f32 and f64.

@@ -7,7 +7,7 @@ use std::arch::x86_64::*;
 use std::mem::transmute;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-#[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 pub(super) fn lanes_avx512<A: LaneAlgorithm>(algorithm: A) -> A::Output {
     algorithm.run::<F64x8>()
 }
@@ -17,7 +17,7 @@ pub(super) fn lanes_avx2<A: LaneAlgorithm>(algorithm: A) -> A::Output {
     algorithm.run::<Pair>()
 }
 
-#[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 pub(super) fn wide_avx512<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(algorithm: A) -> A::Output {
     algorithm.run::<W>()
 }
@@ -28,7 +28,17 @@ pub(super) fn wide_avx2<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(alg
 }
 
 #[target_feature(enable = "avx2,fma")]
-pub(super) fn one_fused<F, T, A>(algorithm: A) -> A::Output
+pub(super) fn one_avx2<F, T, A>(algorithm: A) -> A::Output
+where
+    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
+    T: Real,
+    A: Algorithm<T>,
+{
+    algorithm.run_in_fours::<F>()
+}
+
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+pub(super) fn one_avx512<F, T, A>(algorithm: A) -> A::Output
 where
     F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
     T: Real,
