@@ -274,7 +274,7 @@ impl<T: Real> Mechanism<T> {
             self.ascending &= dofs.clone().all(|&dof| dof >= v0);
             let own = m.joint.nv();
             let after = m.slots.start as usize + own;
-            m.last = after % COLUMNS == 0 || self.slots[after] == EMPTY;
+            m.last = after.is_multiple_of(COLUMNS) || self.slots[after] == EMPTY;
             entries += own * (2 * dofs.clone().count() - own);
             let last = dofs.max().map_or(0, |&dof| dof + 1);
             for row in v0 as usize / COLUMNS..(v0 + nv).div_ceil(COLUMNS as u32) as usize {

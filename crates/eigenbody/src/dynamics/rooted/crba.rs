@@ -124,12 +124,10 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
 /// The rows of a body with a joint of several degrees of freedom, or of an uncommon one.
 #[inline(always)]
 fn several<T: Real, Q: Quad<T>>(
-    model: &Model<T>,
-    m: &Member<T>,
+    (model, m): (&Model<T>, &Member<T>),
     (S, count): ([(Q, Q); 6], usize),
     Ic: &Moments<Q>,
-    F: &mut [Columns<T>],
-    blocks: &[Block],
+    (F, blocks): (&mut [Columns<T>], &[Block]),
     (H, nv): (&mut [T], usize),
     r: Vec3<Q>,
 ) {
