@@ -14,8 +14,10 @@ use crate::Outcome;
 use crate::contest::Contestant;
 use crate::robot::{Robot, Sample};
 
-/// Degrees of freedom in a batch, about.
-const SIZE: usize = 8192;
+/// Degrees of freedom in a batch, about: states, results and H of one core's share stay in its own memory.
+pub const FEW: usize = 8192;
+/// The same where threads share: a millisecond and more, beside which it is nothing to wake one.
+pub const MANY: usize = 32 * FEW;
 /// Relative error of κ asked for.
 const ACCURACY: f64 = 1e-8;
 
@@ -37,10 +39,10 @@ pub struct Batches<T> {
 }
 
 impl<T: Lanes> Batches<T> {
-    pub fn new(robot: &Robot, unit: Unit, threads: usize) -> Result<Self, Box<dyn Error>> {
+    pub fn new(robot: &Robot, unit: Unit, size: usize, threads: usize) -> Result<Self, Box<dyn Error>> {
         let (exact, samples) = (robot.model.clone(), &robot.samples);
         let nv = exact.nv();
-        let times = (SIZE / nv).div_ceil(samples.len());
+        let times = (size / nv).div_ceil(samples.len());
         let count = times * samples.len();
         let all = |of: fn(&Sample) -> &Vec<f64>| samples.iter().flat_map(of).copied().collect::<Vec<f64>>().repeat(times);
         let numbers = |all: Vec<f64>| all.into_iter().map(T::from_f64).collect::<Vec<T>>();

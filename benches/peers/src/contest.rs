@@ -8,7 +8,7 @@ use std::time::Instant;
 use eigenbody::scalar::Unit;
 
 use crate::Outcome;
-use crate::batches::Batches;
+use crate::batches::{Batches, FEW, MANY};
 use crate::dynibo::Dynibo;
 use crate::eigen::{Faer, Nalgebra};
 use crate::ours::Ours;
@@ -120,16 +120,17 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
     }
     let (mut entrants, mut heats) = (Vec::new(), Vec::new());
     for robot in &robots {
-        let here: [(&str, Box<dyn Contestant>); 9] = [
+        let here: [(&str, Box<dyn Contestant>); 10] = [
             ("eigenbody", Box::new(Ours::new(robot)?)),
             ("dynibo", Box::new(Dynibo::new(robot)?)),
             ("nalgebra", Box::new(Nalgebra::new(robot)?)),
             ("faer", Box::new(Faer::new(robot)?)),
-            ("batch", Box::new(Batches::<f64>::new(robot, Unit::Avx512, 1)?)),
-            ("batch-avx2", Box::new(Batches::<f64>::new(robot, Unit::Avx2, 1)?)),
-            ("batch-2", Box::new(Batches::<f64>::new(robot, Unit::Avx512, 2)?)),
-            ("batch-f32", Box::new(Batches::<f32>::new(robot, Unit::Avx512, 1)?)),
-            ("batch-f32-avx2", Box::new(Batches::<f32>::new(robot, Unit::Avx2, 1)?)),
+            ("batch", Box::new(Batches::<f64>::new(robot, Unit::Avx512, FEW, 1)?)),
+            ("batch-avx2", Box::new(Batches::<f64>::new(robot, Unit::Avx2, FEW, 1)?)),
+            ("batch-many", Box::new(Batches::<f64>::new(robot, Unit::Avx512, MANY, 1)?)),
+            ("batch-many-2", Box::new(Batches::<f64>::new(robot, Unit::Avx512, MANY, 2)?)),
+            ("batch-f32", Box::new(Batches::<f32>::new(robot, Unit::Avx512, FEW, 1)?)),
+            ("batch-f32-avx2", Box::new(Batches::<f32>::new(robot, Unit::Avx2, FEW, 1)?)),
         ];
         for (name, mut contestant) in here {
             let entrant = entrants.len();

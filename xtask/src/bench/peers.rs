@@ -179,7 +179,7 @@ fn text(figures: &Figures) -> String {
                 .into_iter()
                 .chain(cells("batch", peer))
                 .chain(cells("batch-avx2", peer))
-                .chain(cells("batch-2", of("batch")))
+                .chain(cells("batch-many-2", of("batch-many")))
                 .chain(cells("batch-f32", of("batch")))
                 .collect::<Vec<_>>()
         };
@@ -190,8 +190,8 @@ fn text(figures: &Figures) -> String {
             "ratio",
             "AVX2",
             "ratio",
-            "two cores",
-            "to one",
+            "two cores, 32 times as many",
+            "to one core",
             "f32",
             "to f64",
         ];

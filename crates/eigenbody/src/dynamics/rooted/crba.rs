@@ -79,16 +79,8 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
         let subtree = m.blocks.start as usize..m.blocks.end as usize;
         let (F, blocks) = (&mut F[subtree.clone()], &blocks[subtree]);
         if m.motion == MotionKind::Other {
-            several::<T, Q>(
-                model,
-                m,
-                columns(m, posture, at),
-                &Ic,
-                F,
-                blocks,
-                (&mut *H, nv),
-                components(&at.r),
-            );
+            let (S, r) = (columns(m, posture, at), components(&at.r));
+            several::<T, Q>((model, m), S, &Ic, (F, blocks), (&mut *H, nv), r);
         } else {
             let (z, axis) = (components::<T, Q>(&at.z), Q::from_slice(&at.z));
             let hinge = m.motion == MotionKind::Hinge;
