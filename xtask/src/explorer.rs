@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::program::{build_directory, cargo, output, program, root, run};
+use crate::program::{build_directory, cargo, debian, output, program, root, run};
 use crate::{Outcome, oracle};
 
 const PAGE: &str = "crates/eigenbody-web/page";
@@ -141,13 +141,7 @@ fn browser() -> Result<PathBuf, String> {
     if let Some(found) = on_path() {
         return Ok(found);
     }
-    let root = output(program("id").arg("-u")).is_ok_and(|id| id.trim() == "0");
-    if root && output(program("apt-get").arg("--version")).is_ok() {
-        run(program("apt-get").args(["update", "-qq"]))?;
-        run(program("apt-get")
-            .args(["install", "-y", "-qq", "--no-install-recommends", "chromium"])
-            .env("DEBIAN_FRONTEND", "noninteractive"))?;
-    }
+    debian("chromium")?;
     on_path().ok_or_else(|| {
         "the explorer is tested in Chromium, which is not installed (Debian, Ubuntu: apt install chromium)".into()
     })

@@ -28,7 +28,11 @@ struct Task {
 
 const TASKS: &[Task] = &[
     Task { name: "test", about: "every test: the workspace's own, then conformance", run: suite::test },
-    Task { name: "ci", about: "what a change must pass: format, lints, docs, layers, test", run: suite::ci },
+    Task {
+        name: "ci",
+        about: "what a change must pass: format, lints, docs, layers, test, instruction counts",
+        run: suite::ci,
+    },
     Task { name: "layers", about: "the one-way arrows of docs/ARCHITECTURE.md", run: layers::check },
     Task {
         name: "oracle",

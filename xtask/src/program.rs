@@ -53,6 +53,18 @@ pub fn output(command: &mut Command) -> Result<String, String> {
     }
 }
 
+/// Installs a Debian package, where that can be done.
+pub fn debian(package: &str) -> Outcome {
+    let root = output(program("id").arg("-u")).is_ok_and(|id| id.trim() == "0");
+    if !root || output(program("apt-get").arg("--version")).is_err() {
+        return Ok(());
+    }
+    run(program("apt-get").args(["update", "-qq"]))?;
+    run(program("apt-get")
+        .args(["install", "-y", "-qq", "--no-install-recommends", package])
+        .env("DEBIAN_FRONTEND", "noninteractive"))
+}
+
 /// Where cargo builds: `target/`, unless the environment or a configuration file moved it.
 pub fn build_directory() -> Result<PathBuf, String> {
     let metadata = output(&mut cargo(&["metadata", "--format-version", "1", "--no-deps"]))?;

@@ -3,6 +3,7 @@
 //! Artefacts are shared where cargo can: clippy and rustdoc check the same dependencies once, `cargo test` and xtask
 //! itself build in the dev profile, and only the command that conformance runs is built in release.
 
+use crate::bench::instructions;
 use crate::program::{cargo, run};
 use crate::steps::{self, Step};
 use crate::{Outcome, conformance, explorer, layers, oracle, python};
@@ -22,6 +23,8 @@ const TESTS: [Step; 5] = [
     Step { name: "explorer", needs: Some("oracle"), run: explorer::test },
 ];
 
+const COUNTS: [Step; 1] = [Step { name: "instructions", needs: None, run: instructions::check }];
+
 /// Every test there is.
 pub fn test() -> Outcome {
     steps::run(&TESTS)
@@ -29,7 +32,7 @@ pub fn test() -> Outcome {
 
 /// What a change must pass.
 pub fn ci() -> Outcome {
-    steps::run(CHECKS.iter().chain(&TESTS))
+    steps::run(CHECKS.iter().chain(&TESTS).chain(&COUNTS))
 }
 
 fn fmt() -> Outcome {

@@ -12,9 +12,11 @@ use eigenbody::dynamics::{
     mass_matrix_into,
 };
 use eigenbody::family::puma560;
+use eigenbody::model::JointSpec;
+use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
 use eigenbody::spectrum::sturm::{Count, Pencil, counts};
 use eigenbody::spectrum::{EndsWorkspace, Extremes, Precision, extreme_eigenvalues_into, extremes};
-use eigenbody::{Family, Matrix, Model, Posture};
+use eigenbody::{Base, Family, Joint, Matrix, Model, ModelBuilder, Posture};
 use gungraun::{
     Callgrind, EventKind, LibraryBenchmarkConfig, library_benchmark, library_benchmark_group, main,
 };
@@ -91,6 +93,25 @@ fn arm() -> Bench {
     bench(puma560().unwrap())
 }
 
+/// Four limbs of seven hinges, axes in turn along x, y and z, on a free torso.
+fn humanoid() -> Bench {
+    let mut robot = ModelBuilder::new("humanoid");
+    let rod = RigidInertia::from_com(1.0, Vec3::new(0.0, 0.01, 0.1), Sym3::diagonal(0.02, 0.02, 0.01));
+    let torso = robot.link("torso", rod);
+    for limb in 0..4 {
+        let mut parent = torso;
+        for k in 0..7 {
+            let link = robot.link(format!("link{limb}{k}"), rod);
+            let axis = [Vec3::X, Vec3::Y, Vec3::Z][k % 3];
+            let placement = Transform::new(Mat3::IDENTITY, Vec3::new(0.02, 0.0, 0.2));
+            let joint = JointSpec::new(format!("joint{limb}{k}"), Joint::Revolute, parent, link);
+            robot.joint(joint.at(placement).about(axis));
+            parent = link;
+        }
+    }
+    bench(robot.build(Base::Floating).unwrap())
+}
+
 /// Every kind of joint on a free base.
 fn tree() -> Bench {
     bench(Family::auto_tree(30, 2.0, 0.5, 1.0).unwrap().floating().model().unwrap())
@@ -99,7 +120,8 @@ fn tree() -> Bench {
 // τ, one state.
 #[library_benchmark]
 #[bench::arm(setup = arm, config = at_most(INVERSE[0]))]
-#[bench::tree(setup = tree, config = at_most(INVERSE[1]))]
+#[bench::humanoid(setup = humanoid, config = at_most(INVERSE[1]))]
+#[bench::tree(setup = tree, config = at_most(INVERSE[2]))]
 fn inverse(mut b: Bench) -> Bench {
     let given = b.out.clone();
     inverse_dynamics_into(&b.model, black_box(&b.q), &b.v, &given, &mut b.rnea, &mut b.out).unwrap();
@@ -109,7 +131,8 @@ fn inverse(mut b: Bench) -> Bench {
 // v̇, one state.
 #[library_benchmark]
 #[bench::arm(setup = arm, config = at_most(FORWARD[0]))]
-#[bench::tree(setup = tree, config = at_most(FORWARD[1]))]
+#[bench::humanoid(setup = humanoid, config = at_most(FORWARD[1]))]
+#[bench::tree(setup = tree, config = at_most(FORWARD[2]))]
 fn forward(mut b: Bench) -> Bench {
     let given = b.out.clone();
     forward_dynamics_into(&b.model, black_box(&b.q), &b.v, &given, &mut b.aba, &mut b.out).unwrap();
@@ -119,7 +142,8 @@ fn forward(mut b: Bench) -> Bench {
 // H, one configuration.
 #[library_benchmark]
 #[bench::arm(setup = arm, config = at_most(MASS[0]))]
-#[bench::tree(setup = tree, config = at_most(MASS[1]))]
+#[bench::humanoid(setup = humanoid, config = at_most(MASS[1]))]
+#[bench::tree(setup = tree, config = at_most(MASS[2]))]
 fn mass(mut b: Bench) -> Bench {
     mass_matrix_into(&b.model, black_box(&b.q), &mut b.crba, &mut b.H).unwrap();
     b
@@ -128,7 +152,8 @@ fn mass(mut b: Bench) -> Bench {
 // H and both ends of its spectrum.
 #[library_benchmark]
 #[bench::arm(setup = arm, config = at_most(ENDS[0]))]
-#[bench::tree(setup = tree, config = at_most(ENDS[1]))]
+#[bench::humanoid(setup = humanoid, config = at_most(ENDS[1]))]
+#[bench::tree(setup = tree, config = at_most(ENDS[2]))]
 fn ends(mut b: Bench) -> Bench {
     mass_matrix_into(&b.model, black_box(&b.q), &mut b.crba, &mut b.H).unwrap();
     black_box(extreme_eigenvalues_into(&b.H, &vec![1.0; b.model.nv()], &mut b.ends).unwrap());
@@ -147,12 +172,12 @@ fn batch(b: Bench) -> (Vec<f64>, Vec<f64>) {
     (H, vdot)
 }
 
-// Limits of the kernels: arm, tree.
-const INVERSE: [u64; 2] = [3_900, 31_900];
-const FORWARD: [u64; 2] = [8_400, 74_000];
-const MASS: [u64; 2] = [3_900, 106_000];
-const ENDS: [u64; 2] = [9_700, 729_000];
-const BATCH: u64 = 330_000;
+// Limits of the kernels: arm, humanoid, tree.
+const INVERSE: [u64; 3] = [3_550, 13_100, 31_100];
+const FORWARD: [u64; 3] = [5_200, 22_500, 65_900];
+const MASS: [u64; 3] = [3_600, 27_300, 108_000];
+const ENDS: [u64; 3] = [9_350, 100_000, 456_000];
+const BATCH: u64 = 290_000;
 
 library_benchmark_group!(name = engine, benchmarks = [sweep, cold]);
 library_benchmark_group!(name = kernels, benchmarks = [inverse, forward, mass, ends, batch]);

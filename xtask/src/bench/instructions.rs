@@ -4,10 +4,18 @@ use std::path::{Path, PathBuf};
 
 use super::Figures;
 use crate::Outcome;
-use crate::program::{cargo, output, program, run};
+use crate::program::{build_directory, cargo, debian, output, program, run};
 
 /// The library's version in Cargo.lock: the runner must be the same.
 const VERSION: &str = "0.20.0";
+
+/// That no count exceeds its limit: a step of `cargo xtask ci`.
+pub fn check() -> Outcome {
+    if output(program("valgrind").arg("--version")).is_err() {
+        debian("valgrind")?;
+    }
+    count(&build_directory()?, &mut Figures::default())
+}
 
 /// Counts, and fails where a count exceeds its limit. Without Valgrind there are no counts, and that is said.
 pub fn count(directory: &Path, figures: &mut Figures) -> Outcome {

@@ -5,7 +5,7 @@
 
 pub mod calls;
 pub mod figures;
-mod instructions;
+pub mod instructions;
 pub mod peers;
 pub mod report;
 mod tracking;

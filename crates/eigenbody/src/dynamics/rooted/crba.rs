@@ -172,10 +172,18 @@ fn rows_of_root<T: Real, Q: Quad<T>>(
         let armature = unit::<T, Q>((lane + k) % WIDTH) * Q::constant(model.armature[d + k]);
         *row = (Q::from_slice(row) + armature).numbers();
     }
-    let H = &mut H[d * nv..][..columns.len() * nv];
+    let (places, H) = (&places[..columns.len()], &mut H[d * nv..][..columns.len() * nv]);
     for (F, block) in F.iter().zip(blocks) {
-        for (&place, H) in places.iter().zip(H.chunks_exact_mut(nv)) {
-            write(block, Q::from_slice(&F[place]), H);
+        if block.whole {
+            let mut first = block.dofs[0] as usize;
+            for &place in places {
+                Q::from_slice(&F[place]).to_slice(&mut H[first..first + WIDTH]);
+                first += nv;
+            }
+        } else {
+            for (&place, H) in places.iter().zip(H.chunks_exact_mut(nv)) {
+                write(block, Q::from_slice(&F[place]), H);
+            }
         }
     }
 }
@@ -216,13 +224,16 @@ fn mirror<T: Real, Q: Quad<T>>(H: &mut [T], n: usize, reach: &[u32]) {
     // The rows of the root were written last.
     for (d, &reach) in (0..n).step_by(WIDTH).zip(reach).rev() {
         let d = d.min(last);
-        let H = &mut H[d * n..];
-        let tile = symmetric(four::<T, Q>(&H[d..], n));
-        put_four(tile, &mut H[d..], n);
-        for e in (WIDTH..reach as usize - d).step_by(WIDTH) {
-            let e = e.min(last - d);
-            let tile = Q::transpose(four(&H[d + e..], n));
-            put_four(tile, &mut H[e * n + d..], n);
+        let tile = symmetric(four::<T, Q>(&H[d * n + d..], n));
+        put_four(tile, &mut H[d * n + d..], n);
+        let (mut right, mut below) = (d * n + d, d * n + d);
+        let end = d * n + last;
+        for _ in (d + WIDTH..reach as usize).step_by(WIDTH) {
+            // The last tile may overlap the one before it.
+            let step = WIDTH.min(end - right);
+            (right, below) = (right + step, below + step * n);
+            let tile = Q::transpose(four(&H[right..], n));
+            put_four(tile, &mut H[below..], n);
         }
     }
 }
