@@ -127,7 +127,7 @@ impl<W: Wide> Columns<W> {
     /// H at q.
     #[inline(always)]
     pub fn update(&mut self, model: &Model<W::Constant>, layout: &Layout, q: &[W]) {
-        self.posture.update::<W>(&model.mechanism, q);
+        self.posture.update_shape::<W>(&model.mechanism, q);
         let members = &model.mechanism.members;
         for (i, m) in members.iter().enumerate().rev() {
             let mut Ic = m.I.map(W::constant);

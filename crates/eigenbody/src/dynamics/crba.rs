@@ -115,7 +115,7 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
             return self.run::<S>();
         }
         let Self { model, q, workspace: CrbaWorkspace { posture, rooted, .. }, H } = self;
-        posture.update::<S>(&model.mechanism, q);
+        posture.update_shape::<S>(&model.mechanism, q);
         rooted::crba::<T, S::Columns>(model, posture, q, rooted, H);
     }
 }
@@ -156,7 +156,7 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
     H: &mut H,
 ) {
     let Mechanism { members, slots, .. } = &model.mechanism;
-    posture.update::<S>(&model.mechanism, q);
+    posture.update_shape::<S>(&model.mechanism, q);
     for (i, m) in members.iter().enumerate().rev() {
         let mut Ic_i = m.I.map(S::constant);
         if !m.place.leaf {

@@ -1,6 +1,7 @@
 //! The position pass of the fast kernels: sines and cosines of all hinges at once, and where all other joints stand.
 
-use crate::model::{COLUMNS, Mechanism, Member, MotionKind};
+use crate::joint::Joint;
+use crate::model::{COLUMNS, Mechanism, Member, MotionKind, Twist};
 use crate::scalar::{Scalar, sin_cos_columns};
 use crate::spatial::{Mat3, Motion, Placed, Transform, Vec3};
 
@@ -10,7 +11,7 @@ pub(crate) struct Posture<T> {
     /// N, rounded up to whole columns: sine and cosine of each hinge's angle and offset.
     pub sin: Vec<T>,
     pub cos: Vec<T>,
-    /// From the parent to the body, and columns of S by DoF: for joints that are neither hinge nor slide.
+    /// From the parent to the body, and columns of S by DoF: for joints that are neither hinge nor slide. Those of a free joint stay.
     pub X: Vec<Transform<T>>,
     pub S: Vec<Motion<T>>,
 }
@@ -25,16 +26,28 @@ impl<T: Scalar> Posture<T> {
         // Single numbers fill the columns of any scalar that they are stored for.
         let width = if size_of::<T>() == size_of::<T::Constant>() { COLUMNS } else { 1 };
         let zeros = vec![T::ZERO; n.next_multiple_of(width)];
-        Self {
-            sin: zeros.clone(),
-            cos: zeros,
-            X: vec![Transform::IDENTITY; bodies],
-            S: vec![Motion::ZERO; dofs],
+        let mut S = vec![Motion::ZERO; dofs];
+        for m in mechanism.members.iter().filter(|m| matches!(m.joint, Joint::Floating)) {
+            for (S, column) in S[m.v0 as usize..].iter_mut().zip(m.joint.columns()) {
+                *S = column.moved(Motion::ZERO, Motion::ZERO, T::ONE);
+            }
         }
+        Self { sin: zeros.clone(), cos: zeros, X: vec![Transform::IDENTITY; bodies], S }
     }
 
     #[inline(always)]
     pub fn update<S: Scalar<Stored = T>>(&mut self, mechanism: &Mechanism<S::Constant>, q: &[T]) {
+        self.bend::<S, true>(mechanism, q);
+    }
+
+    /// All but where free bodies stand in the world, of which H knows nothing.
+    #[inline(always)]
+    pub fn update_shape<S: Scalar<Stored = T>>(&mut self, mechanism: &Mechanism<S::Constant>, q: &[T]) {
+        self.bend::<S, false>(mechanism, q);
+    }
+
+    #[inline(always)]
+    fn bend<S: Scalar<Stored = T>, const FREE: bool>(&mut self, mechanism: &Mechanism<S::Constant>, q: &[T]) {
         let Self { sin, cos, .. } = self;
         let (s0, c0) =
             (mechanism.sin_offset.chunks_exact(S::COLUMNS), mechanism.cos_offset.chunks_exact(S::COLUMNS));
@@ -52,7 +65,7 @@ impl<T: Scalar> Posture<T> {
         }
         for i in 0..self.X.len() {
             let m = &mechanism.members[i];
-            if m.motion == MotionKind::Other {
+            if m.motion == MotionKind::Other && (FREE || !is_free_root(m)) {
                 self.place::<S>(i, m, q);
             }
         }
@@ -67,8 +80,15 @@ impl<T: Scalar> Posture<T> {
         }
         let joint = m.joint.map(S::constant);
         let X_J = joint.kinematics(&numbers[..nq], &mut columns[..nv]);
-        let X_tree = Transform::new(m.C.map(S::constant), m.r.map(S::constant));
-        self.X[i] = (X_J * X_tree).map(S::store);
+        let (C, r) = (m.C.map(S::constant), m.r.map(S::constant));
+        let X = match m.twist {
+            Twist::Straight => Transform::new(X_J.E, X_J.r + r),
+            _ => X_J * Transform::new(C, r),
+        };
+        self.X[i] = X.map(S::store);
+        if matches!(m.joint, Joint::Floating) {
+            return;
+        }
         for (S, column) in self.S[m.v0 as usize..][..nv].iter_mut().zip(columns) {
             *S = column.map(S::store);
         }
@@ -86,6 +106,10 @@ impl<T: Scalar> Posture<T> {
         let X = self.X[i].map(S::load);
         Placed { E: X.E, r: X.r }
     }
+}
+
+fn is_free_root<T>(m: &Member<T>) -> bool {
+    m.parent == 0 && matches!(m.joint, Joint::Floating)
 }
 
 /// From the parent to a body on a slide, which stands q along z.

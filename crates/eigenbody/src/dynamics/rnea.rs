@@ -229,7 +229,7 @@ fn hinge<S: Scalar, R: Rotation<S>>(
     up: &Moving<S::Stored>,
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
-    let (mut omega, alpha, a) = carried(Placed { E, r: position::<S>(m) }, up);
+    let (mut omega, alpha, a) = carried(m, Placed { E, r: position::<S>(m) }, up);
     let alpha = Vec3::new(omega.y.mul_add(qd, alpha.x), alpha.y - omega.x * qd, alpha.z + qdd);
     omega.z += qd;
     finish(m, omega, alpha, a, out)
@@ -244,7 +244,7 @@ fn sliding<S: Scalar>(
     up: &Moving<S::Stored>,
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
-    let (omega, alpha, a) = carried(X_up, up);
+    let (omega, alpha, a) = carried(m, X_up, up);
     let twice = qd + qd;
     let a = Vec3::new(omega.y.mul_add(twice, a.x), a.y - omega.x * twice, a.z + qdd);
     finish(m, omega, alpha, a, out)
@@ -261,7 +261,7 @@ fn other<S: Scalar>(
     up: &Moving<S::Stored>,
     out: &mut Moving<S::Stored>,
 ) -> Force<S> {
-    let (omega_p, alpha_p, a_p) = carried(posture.placed::<S>(i), up);
+    let (omega_p, alpha_p, a_p) = carried(m, posture.placed::<S>(i), up);
     let (mut columns, mut rates) = ([Motion::<S>::ZERO; 6], [S::ZERO; 6]);
     let (mut v_J, mut a_J) = (Motion::ZERO, Motion::ZERO);
     let d0 = m.v0 as usize;
@@ -277,12 +277,16 @@ fn other<S: Scalar>(
     finish(m, omega, alpha, a, out)
 }
 
-/// ω, α and a of the point where the joint stands, in the body's axes.
+/// ω, α and a of the point where the joint stands, in the body's axes. The world only falls upwards.
 #[inline(always)]
 fn carried<S: Scalar, R: Rotation<S>>(
+    m: &Member<S::Constant>,
     Placed { E, r }: Placed<S, R>,
     up: &Moving<S::Stored>,
 ) -> (Vec3<S>, Vec3<S>, Vec3<S>) {
+    if m.parent == 0 {
+        return (Vec3::ZERO, Vec3::ZERO, E.times(up.a.map(S::load)));
+    }
     let a = up.Psi.map(S::load).times_add(r, up.a.map(S::load));
     (E.times(up.omega.map(S::load)), E.times(up.alpha.map(S::load)), E.times(a))
 }

@@ -199,6 +199,7 @@ impl<T: Real> Mechanism<T> {
                     (gamma.then(own), twist, C)
                 }
                 MotionKind::Slide => (Turn::NONE, Twist::Any, own.matrix() * E),
+                MotionKind::Other if E == Mat3::IDENTITY => (Turn::NONE, Twist::Straight, E),
                 MotionKind::Other => (Turn::NONE, Twist::Any, E),
             };
             let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
