@@ -4,6 +4,7 @@
 //! f32, f64, double-double, several numbers side by side, and f32 and f64 on processors with fused instructions. [`Real`] adds
 //! the order and the sizes that an entry point needs to decide: is this pivot positive, has this iteration settled.
 
+mod aligned;
 mod dd;
 mod dd_trig;
 mod float;
@@ -14,6 +15,7 @@ mod quad;
 mod simd;
 mod trig;
 
+pub(crate) use aligned::Aligned;
 pub use dd::Dd;
 pub(crate) use lanes::Two;
 pub use lanes::{Array, LANES, Lane, MOST_LANES, Wide};

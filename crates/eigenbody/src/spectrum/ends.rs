@@ -13,7 +13,7 @@
 use super::abreast;
 use crate::error::InputError;
 use crate::matrix::Matrix;
-use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Aligned, Quad, Real, Scalar, dispatch_one};
 
 /// Mostly 4 to 15 are taken; a cluster of half the eigenvalues is approached by a factor of 1 − 2/√n a step.
 const MAX_STEPS: usize = 1000;
@@ -26,12 +26,12 @@ pub struct EndsWorkspace<T> {
     pub(super) n: usize,
     pub(super) stride: usize,
     /// stride × stride: the matrix, both triangles, zero beyond column n. Overwritten.
-    pub(super) A: Vec<T>,
+    pub(super) A: Aligned<T>,
     /// stride: a reflection's vector, and the matrix times it; those of the step before.
-    pub(super) u: Vec<T>,
-    pub(super) w: Vec<T>,
-    pub(super) x: Vec<T>,
-    pub(super) y: Vec<T>,
+    pub(super) u: Aligned<T>,
+    pub(super) w: Aligned<T>,
+    pub(super) x: Aligned<T>,
+    pub(super) y: Aligned<T>,
     /// n: diagonal and squares of the subdiagonal (the first is zero) of the tridiagonal matrix.
     pub(super) d: Vec<T>,
     pub(super) e2: Vec<T>,
@@ -41,11 +41,11 @@ impl<T: Scalar> EndsWorkspace<T> {
     /// Room for matrices of n rows.
     pub fn new(n: usize) -> Self {
         let stride = n.next_multiple_of(ALIGN);
-        let row = vec![T::ZERO; stride];
+        let row = Aligned::new(T::ZERO, stride);
         Self {
             n,
             stride,
-            A: vec![T::ZERO; stride * stride],
+            A: Aligned::new(T::ZERO, stride * stride),
             u: row.clone(),
             w: row.clone(),
             x: row.clone(),
@@ -106,7 +106,7 @@ pub fn extreme_eigenvalues_into<T: Real>(
     let EndsWorkspace { A, u, stride, .. } = workspace;
     for (i, A) in A.chunks_exact_mut(*stride).take(n).enumerate() {
         let u_i = u[i];
-        for ((A, &x), &u_j) in A.iter_mut().zip(H.row(i)).zip(&*u) {
+        for ((A, &x), &u_j) in A.iter_mut().zip(H.row(i)).zip(&**u) {
             *A = u_i * x * u_j;
         }
         // Not more than one row of the last matrix's remains.

@@ -17,7 +17,7 @@ use super::rnea::{RneaRoom, force, move_all};
 use super::{Stand, columns, combined, components, suits, units};
 use crate::dynamics::posture::Posture;
 use crate::model::{Model, MotionKind};
-use crate::scalar::{Quad, Real, Scalar};
+use crate::scalar::{Aligned, Quad, Real, Scalar};
 use crate::spatial::Vec3;
 
 /// IA by rows: [I H; Hᵀ M], nine registers.
@@ -48,11 +48,11 @@ struct Eliminated<T> {
 #[derive(Debug, Clone)]
 pub(in crate::dynamics) struct AbaRoom<T> {
     /// N: IA and p of what a body with several children carries.
-    waiting: Vec<[[T; 4]; 11]>,
+    waiting: Aligned<[[T; 4]; 11]>,
     /// nv.
     dofs: Vec<Eliminated<T>>,
     /// N: angular and linear δ.
-    delta: Vec<[[T; 4]; 2]>,
+    delta: Aligned<[[T; 4]; 2]>,
 }
 
 impl<T: Scalar> AbaRoom<T> {
@@ -60,9 +60,9 @@ impl<T: Scalar> AbaRoom<T> {
         let n = if suits::<T>(&model.mechanism) { model.mechanism.members.len() } else { 0 };
         let o = [T::ZERO; 4];
         Self {
-            waiting: vec![[o; 11]; n],
+            waiting: Aligned::new([o; 11], n),
             dofs: vec![Eliminated { n: o, f: o, y: o }; if n > 0 { model.nv() } else { 0 }],
-            delta: vec![[o; 2]; n],
+            delta: Aligned::new([o; 2], n),
         }
     }
 }

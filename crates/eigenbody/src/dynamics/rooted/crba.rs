@@ -13,7 +13,7 @@ use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::matrix::Matrix;
 use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
-use crate::scalar::{Quad, Real, Scalar};
+use crate::scalar::{Aligned, Quad, Real, Scalar};
 use crate::spatial::Vec3;
 
 /// Slots of a block.
@@ -28,9 +28,9 @@ pub(in crate::dynamics) struct CrbaRoom<T> {
     /// N.
     stands: Vec<Stand<T>>,
     /// N: moments of what a body with several children carries, h first.
-    waiting: Vec<[[T; 4]; 4]>,
+    waiting: Aligned<[[T; 4]; 4]>,
     /// Columns of F by slot, each about the origin of the body that it has come to.
-    F: Vec<Columns<T>>,
+    F: Aligned<Columns<T>>,
 }
 
 impl<T: Scalar> CrbaRoom<T> {
@@ -41,8 +41,8 @@ impl<T: Scalar> CrbaRoom<T> {
         };
         Self {
             stands: vec![Stand::ROOT; n],
-            waiting: vec![[[T::ZERO; 4]; 4]; n],
-            F: vec![[[T::ZERO; WIDTH]; 6]; blocks],
+            waiting: Aligned::new([[T::ZERO; 4]; 4], n),
+            F: Aligned::new([[T::ZERO; WIDTH]; 6], blocks),
         }
     }
 }

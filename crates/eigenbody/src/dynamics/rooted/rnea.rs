@@ -13,7 +13,7 @@ use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::joint::Joint;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
-use crate::scalar::{Quad, Real, Scalar};
+use crate::scalar::{Aligned, Quad, Real, Scalar};
 use crate::spatial::{Motion, Rotation, ThenZ, Vec3};
 
 /// How a body moves: ω, α, and the acceleration of its origin, gravity included.
@@ -32,7 +32,7 @@ pub(in crate::dynamics) struct RneaRoom<T> {
     pub(super) stands: Vec<Stand<T>>,
     pub(super) moving: Vec<Moving<T>>,
     /// N: moment and force of what a body with several children carries.
-    waiting: Vec<[[T; 4]; 2]>,
+    waiting: Aligned<[[T; 4]; 2]>,
 }
 
 impl<T: Scalar> RneaRoom<T> {
@@ -42,7 +42,7 @@ impl<T: Scalar> RneaRoom<T> {
         Self {
             stands: vec![Stand::ROOT; n],
             moving: vec![Moving { omega: o, alpha: o, a: o }; n],
-            waiting: vec![[o; 2]; n],
+            waiting: Aligned::new([o; 2], n),
         }
     }
 }
