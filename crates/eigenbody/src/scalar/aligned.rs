@@ -5,7 +5,12 @@ use std::ops::{Deref, DerefMut};
 /// Bytes of a line.
 const LINE: usize = 64;
 
-/// As many values as it was made with, at a multiple of [`LINE`] bytes.
+/// A value that begins at a line, as do all of a `Vec` of them.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Line<V>(pub V);
+
+/// As many numbers as it was made with, the first at a line.
 #[derive(Debug)]
 pub(crate) struct Aligned<T> {
     /// With room before them.
@@ -16,7 +21,7 @@ pub(crate) struct Aligned<T> {
 
 impl<T: Clone> Aligned<T> {
     pub fn new(value: T, count: usize) -> Self {
-        // As many as it may take to come to a line; none where that cannot be told.
+        // As many as it may take to come to a line; none where that cannot be told, or is impossible.
         let values = vec![value; count + LINE];
         let first = values.as_ptr().align_offset(LINE);
         Self { values, first: if first < LINE { first } else { 0 }, count }
@@ -53,7 +58,7 @@ impl<T> DerefMut for Aligned<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Aligned, LINE};
+    use super::{Aligned, LINE, Line};
 
     #[test]
     fn values_begin_at_a_line() {
@@ -67,7 +72,6 @@ mod tests {
                 (&row[..], true)
             );
         }
-        let blocks = Aligned::new([[0.0_f64; 4]; 6], 3);
-        assert_eq!(blocks.as_ptr().align_offset(LINE), 0);
+        assert_eq!(align_of::<Line<[f64; 4]>>(), LINE);
     }
 }

@@ -15,7 +15,7 @@ mod quad;
 mod simd;
 mod trig;
 
-pub(crate) use aligned::Aligned;
+pub(crate) use aligned::{Aligned, Line};
 pub use dd::Dd;
 pub(crate) use lanes::Two;
 pub use lanes::{Array, LANES, Lane, MOST_LANES, Wide};

@@ -17,7 +17,7 @@ use super::rnea::{RneaRoom, force, move_all};
 use super::{Stand, columns, combined, components, suits, units};
 use crate::dynamics::posture::Posture;
 use crate::model::{Model, MotionKind};
-use crate::scalar::{Aligned, Quad, Real, Scalar};
+use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
 
 /// IA by rows: [I H; Hᵀ M], nine registers.
@@ -48,11 +48,11 @@ struct Eliminated<T> {
 #[derive(Debug, Clone)]
 pub(in crate::dynamics) struct AbaRoom<T> {
     /// N: IA and p of what a body with several children carries.
-    waiting: Aligned<[[T; 4]; 11]>,
+    waiting: Vec<Line<[[T; 4]; 11]>>,
     /// nv.
     dofs: Vec<Eliminated<T>>,
     /// N: angular and linear δ.
-    delta: Aligned<[[T; 4]; 2]>,
+    delta: Vec<Line<[[T; 4]; 2]>>,
 }
 
 impl<T: Scalar> AbaRoom<T> {
@@ -60,9 +60,9 @@ impl<T: Scalar> AbaRoom<T> {
         let n = if suits::<T>(&model.mechanism) { model.mechanism.members.len() } else { 0 };
         let o = [T::ZERO; 4];
         Self {
-            waiting: Aligned::new([o; 11], n),
+            waiting: vec![Line([o; 11]); n],
             dofs: vec![Eliminated { n: o, f: o, y: o }; if n > 0 { model.nv() } else { 0 }],
-            delta: Aligned::new([o; 2], n),
+            delta: vec![Line([o; 2]); n],
         }
     }
 }
@@ -91,7 +91,7 @@ pub(in crate::dynamics) fn aba<T: Real, Q: Quad<T>>(
         if !m.place.leaf {
             (IA, p) = (IA.plus(next.0), p.plus(next.1));
             if m.place.branches {
-                let (more, force) = load(&waiting[i]);
+                let (more, force) = load(&waiting[i].0);
                 (IA, p) = (IA.plus(more), p.plus(force));
             }
         }
@@ -126,10 +126,10 @@ pub(in crate::dynamics) fn aba<T: Real, Q: Quad<T>>(
             if m.place.first {
                 next = up;
             } else if m.place.last {
-                waiting[parent] = store(up);
+                waiting[parent].0 = store(up);
             } else {
-                let (IA, p) = load(&waiting[parent]);
-                waiting[parent] = store((IA.plus(up.0), p.plus(up.1)));
+                let (IA, p) = load(&waiting[parent].0);
+                waiting[parent].0 = store((IA.plus(up.0), p.plus(up.1)));
             }
         }
     }
@@ -143,7 +143,7 @@ fn accelerate<T: Real, Q: Quad<T>>(
     posture: &Posture<T>,
     stands: &[Stand<T>],
     dofs: &[Eliminated<T>],
-    delta: &mut [[[T; 4]; 2]],
+    delta: &mut [Line<[[T; 4]; 2]>],
     qdd: &mut [T],
 ) {
     for (i, m) in model.mechanism.members.iter().enumerate() {
@@ -151,7 +151,7 @@ fn accelerate<T: Real, Q: Quad<T>>(
         let (mut ang, mut lin) = match (m.parent as usize).checked_sub(1) {
             None => (Q::ZERO, Q::ZERO),
             Some(p) => {
-                let [ang, lin] = &delta[p];
+                let [ang, lin] = &delta[p].0;
                 let ang = Q::from_slice(ang);
                 (ang, Q::from_slice(lin) + ang.cross(Q::from_slice(&at.r)))
             }
@@ -172,7 +172,7 @@ fn accelerate<T: Real, Q: Quad<T>>(
                 (ang, lin) = (w.mul_add(x, ang), v.mul_add(x, lin));
             }
         }
-        delta[i] = [ang.numbers(), lin.numbers()];
+        delta[i].0 = [ang.numbers(), lin.numbers()];
     }
 }
 

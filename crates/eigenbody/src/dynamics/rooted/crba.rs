@@ -13,7 +13,7 @@ use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::matrix::Matrix;
 use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
-use crate::scalar::{Aligned, Quad, Real, Scalar};
+use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
 
 /// Slots of a block.
@@ -28,9 +28,9 @@ pub(in crate::dynamics) struct CrbaRoom<T> {
     /// N.
     stands: Vec<Stand<T>>,
     /// N: moments of what a body with several children carries, h first.
-    waiting: Aligned<[[T; 4]; 4]>,
+    waiting: Vec<Line<[[T; 4]; 4]>>,
     /// Columns of F by slot, each about the origin of the body that it has come to.
-    F: Aligned<Columns<T>>,
+    F: Vec<Line<Columns<T>>>,
 }
 
 impl<T: Scalar> CrbaRoom<T> {
@@ -41,8 +41,8 @@ impl<T: Scalar> CrbaRoom<T> {
         };
         Self {
             stands: vec![Stand::ROOT; n],
-            waiting: Aligned::new([[T::ZERO; 4]; 4], n),
-            F: Aligned::new([[T::ZERO; WIDTH]; 6], blocks),
+            waiting: vec![Line([[T::ZERO; 4]; 4]); n],
+            F: vec![Line([[T::ZERO; WIDTH]; 6]); blocks],
         }
     }
 }
@@ -72,7 +72,7 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
         if !m.place.leaf {
             Ic = Ic.plus(next);
             if m.place.branches {
-                Ic = Ic.plus(load(&waiting[i]));
+                Ic = Ic.plus(load(&waiting[i].0));
             }
         }
         let (d, lane) = (m.v0 as usize, m.lane as usize);
@@ -91,7 +91,7 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
             put(F, m, n, f);
             let (r, H) = (components(&at.r), &mut H[d * nv..][..nv]);
             let mut armature = unit::<T, Q>(lane) * Q::constant(model.armature[d]);
-            for (F, block) in F.iter_mut().zip(blocks) {
+            for (Line(F), block) in F.iter_mut().zip(blocks) {
                 let (n, f) = load_columns::<T, Q>(F);
                 write(block, combined(if hinge { n } else { f }, z) + armature, H);
                 armature = Q::ZERO;
@@ -104,9 +104,9 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
             if m.place.first {
                 next = up;
             } else {
-                let up = if m.place.last { up } else { up.plus(load(&waiting[p])) };
+                let up = if m.place.last { up } else { up.plus(load(&waiting[p].0)) };
                 let Vec3 { x, y, z } = up.P;
-                waiting[p] = [up.h.numbers(), x.numbers(), y.numbers(), z.numbers()];
+                waiting[p].0 = [up.h.numbers(), x.numbers(), y.numbers(), z.numbers()];
             }
         }
     }
@@ -119,7 +119,7 @@ fn several<T: Real, Q: Quad<T>>(
     (model, m): (&Model<T>, &Member<T>),
     (S, count): ([(Q, Q); 6], usize),
     Ic: &Moments<Q>,
-    (F, blocks): (&mut [Columns<T>], &[Block]),
+    (F, blocks): (&mut [Line<Columns<T>>], &[Block]),
     (H, nv): (&mut [T], usize),
     r: Vec3<Q>,
 ) {
@@ -141,14 +141,14 @@ fn several<T: Real, Q: Quad<T>>(
         let mut armature = unit::<T, Q>(place) * Q::constant(model.armature[d + k]);
         let ([wx, wy, wz, _], [vx, vy, vz, _]) = (w.each(), v.each());
         let (w, v) = (Vec3::new(wx, wy, wz), Vec3::new(vx, vy, vz));
-        for (F, block) in F[first..].iter().zip(&blocks[first..]) {
+        for (Line(F), block) in F[first..].iter().zip(&blocks[first..]) {
             let (n, f) = load_columns::<T, Q>(F);
             write(block, combined(n, w) + combined(f, v) + armature, H);
             armature = Q::ZERO;
         }
     }
     if m.parent > 0 {
-        for F in F {
+        for Line(F) in F {
             let (n, f) = load_columns::<T, Q>(F);
             carry(F, n, f, r);
         }
@@ -160,7 +160,7 @@ fn several<T: Real, Q: Quad<T>>(
 fn rows_of_root<T: Real, Q: Quad<T>>(
     model: &Model<T>,
     m: &Member<T>,
-    F: &mut [Columns<T>],
+    F: &mut [Line<Columns<T>>],
     blocks: &[Block],
     (H, nv): (&mut [T], usize),
 ) {
@@ -168,12 +168,12 @@ fn rows_of_root<T: Real, Q: Quad<T>>(
     let mut places = [0; 6];
     for (k, (place, column)) in places.iter_mut().zip(columns).enumerate() {
         *place = column.place().unwrap_or(0);
-        let row = &mut F[(lane + k) / WIDTH][*place];
+        let row = &mut F[(lane + k) / WIDTH].0[*place];
         let armature = unit::<T, Q>((lane + k) % WIDTH) * Q::constant(model.armature[d + k]);
         *row = (Q::from_slice(row) + armature).numbers();
     }
     let (places, H) = (&places[..columns.len()], &mut H[d * nv..][..columns.len() * nv]);
-    for (F, block) in F.iter().zip(blocks) {
+    for (Line(F), block) in F.iter().zip(blocks) {
         if block.whole {
             let mut first = block.dofs[0] as usize;
             for &place in places {
@@ -254,9 +254,9 @@ fn load<T: Real, Q: Quad<T>>([h, x, y, z]: &[[T; 4]; 4]) -> Moments<Q> {
 
 /// A column into its place in the first block. Places of bodies further in are zero until they are reached.
 #[inline(always)]
-fn put<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], m: &Member<T>, n: Q, f: Q) {
+fn put<T: Real, Q: Quad<T>>(F: &mut [Line<Columns<T>>], m: &Member<T>, n: Q, f: Q) {
     let ([nx, ny, nz, _], [fx, fy, fz, _], here) = (n.each(), f.each(), unit::<T, Q>(m.lane as usize));
-    if let Some(F) = F.first_mut() {
+    if let Some(Line(F)) = F.first_mut() {
         for (row, x) in F.iter_mut().zip([nx, ny, nz, fx, fy, fz]) {
             let others = if m.last { Q::ZERO } else { Q::from_slice(row) };
             *row = here.mul_add(x, others).numbers();
@@ -266,9 +266,10 @@ fn put<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], m: &Member<T>, n: Q, f: Q) {
 
 /// Columns from the first block on, from their places in it; all others are zero.
 #[inline(always)]
-fn put_all<T: Real, Q: Quad<T>>(F: &mut [Columns<T>], m: &Member<T>, columns: &[(Q, Q); 3 * WIDTH]) {
+fn put_all<T: Real, Q: Quad<T>>(F: &mut [Line<Columns<T>>], m: &Member<T>, columns: &[(Q, Q); 3 * WIDTH]) {
     let end = m.lane as usize + m.joint.nv();
-    for (j, (F, columns)) in F[..end.div_ceil(WIDTH)].iter_mut().zip(columns.chunks_exact(WIDTH)).enumerate()
+    for (j, (Line(F), columns)) in
+        F[..end.div_ceil(WIDTH)].iter_mut().zip(columns.chunks_exact(WIDTH)).enumerate()
     {
         let [a, b, c, d] = [columns[0], columns[1], columns[2], columns[3]];
         let [nx, ny, nz, _] = Q::transpose([a.0, b.0, c.0, d.0]);

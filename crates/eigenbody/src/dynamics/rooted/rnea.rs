@@ -13,7 +13,7 @@ use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::joint::Joint;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
-use crate::scalar::{Aligned, Quad, Real, Scalar};
+use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::{Motion, Rotation, ThenZ, Vec3};
 
 /// How a body moves: ω, α, and the acceleration of its origin, gravity included.
@@ -32,7 +32,7 @@ pub(in crate::dynamics) struct RneaRoom<T> {
     pub(super) stands: Vec<Stand<T>>,
     pub(super) moving: Vec<Moving<T>>,
     /// N: moment and force of what a body with several children carries.
-    waiting: Aligned<[[T; 4]; 2]>,
+    waiting: Vec<Line<[[T; 4]; 2]>>,
 }
 
 impl<T: Scalar> RneaRoom<T> {
@@ -42,7 +42,7 @@ impl<T: Scalar> RneaRoom<T> {
         Self {
             stands: vec![Stand::ROOT; n],
             moving: vec![Moving { omega: o, alpha: o, a: o }; n],
-            waiting: Aligned::new([o; 2], n),
+            waiting: vec![Line([o; 2]); n],
         }
     }
 }
@@ -67,7 +67,7 @@ pub(in crate::dynamics) fn rnea<T: Real, Q: Quad<T>>(
         if !m.place.leaf {
             (n, f) = (n + next.0, f + next.1);
             if m.place.branches {
-                let [n0, f0] = &waiting[i];
+                let [n0, f0] = &waiting[i].0;
                 (n, f) = (n + Q::from_slice(n0), f + Q::from_slice(f0));
             }
         }
@@ -88,10 +88,10 @@ pub(in crate::dynamics) fn rnea<T: Real, Q: Quad<T>>(
             if m.place.first {
                 next = up;
             } else if m.place.last {
-                waiting[p] = [up.0.numbers(), up.1.numbers()];
+                waiting[p].0 = [up.0.numbers(), up.1.numbers()];
             } else {
-                let [n0, f0] = waiting[p];
-                waiting[p] = [(Q::of(n0) + up.0).numbers(), (Q::of(f0) + up.1).numbers()];
+                let [n0, f0] = waiting[p].0;
+                waiting[p].0 = [(Q::of(n0) + up.0).numbers(), (Q::of(f0) + up.1).numbers()];
             }
         }
     }
