@@ -4,7 +4,7 @@
  * Without a graphics processor every instance of an `InstancedMesh` is a draw call of its own, which costs more than its triangles.
  */
 
-import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Mesh, type Material, type Matrix4 } from "three";
+import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Mesh, Sphere, Vector3, type Material, type Matrix4 } from "three";
 
 export class Copies extends Mesh<BufferGeometry, Material> {
   /** Of one copy: its points, and how many numbers its index has. */
@@ -28,6 +28,8 @@ export class Copies extends Mesh<BufferGeometry, Material> {
     const indices = new Uint32Array(most * index.length);
     for (let k = 0; k < most; k++) for (let i = 0; i < index.length; i++) indices[k * index.length + i] = index[i]! + (k * this.shape.length) / 3;
     this.geometry.setAttribute("position", this.points).setAttribute("color", this.tints).setIndex(new BufferAttribute(indices, 1));
+    // Copies may be anywhere: nobody has to measure where they are.
+    this.geometry.boundingSphere = new Sphere(new Vector3(), Infinity);
     this.frustumCulled = false;
     shape.dispose();
   }
@@ -53,7 +55,6 @@ export class Copies extends Mesh<BufferGeometry, Material> {
   show(count: number): void {
     this.visible = count > 0;
     this.geometry.setDrawRange(0, count * this.corners);
-    this.geometry.boundingSphere = null;
     this.points.clearUpdateRanges();
     this.points.addUpdateRange(0, count * this.shape.length);
     this.points.needsUpdate = count > 0;
