@@ -343,6 +343,7 @@ test("a humanoid: update in time, base floating, base removed", async () => {
     return took.sort((a, b) => a - b);
   });
   console.log(`G1: from slider to κ, spectrum and matrix: median ${times[20]!.toFixed(1)} ms, worst of 40 ${times.at(-1)!.toFixed(1)} ms`);
+  expect(times[20]).toBeLessThan(50);
   await tab(page, "Robot");
   await page.getByRole("combobox", { name: "Base" }).selectOption("floating");
   await page.getByRole("checkbox", { name: "base removed" }).check();
