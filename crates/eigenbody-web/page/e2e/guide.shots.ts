@@ -1,10 +1,12 @@
 /** The pictures of the guide: docs/guide/src/images. `SHOTS` names another folder. */
 
-import { mkdirSync, readFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, test } from "vitest";
-import { drop, FIXTURES, g1, NARROW, Server, Session, settled } from "./harness";
+import { drop, FIXTURES, g1, NARROW, said, Server, Session, settled } from "./harness";
 
 const folder = process.env["SHOTS"] ?? resolve(import.meta.dirname, "../../../../docs/guide/src/images");
 
@@ -69,3 +71,16 @@ test("fault", () => shoot("explorer-fault", "tab=file", {
   },
   narrow: (page) => page.getByRole("tablist").evaluate((bar) => bar.scrollIntoView()),
 }));
+
+test("report", async () => {
+  const file = join(mkdtempSync(join(tmpdir(), "eigenbody-shots-")), "g1.html");
+  said("report", g1(), "-o", file);
+  const session = await Session.start(pathToFileURL(file).href, { colorScheme: "light" });
+  try {
+    const page = await session.page();
+    await page.setViewportSize({ width: 1000, height: 1500 });
+    await page.screenshot({ path: join(folder, "report.png") });
+  } finally {
+    await session.stop();
+  }
+});
