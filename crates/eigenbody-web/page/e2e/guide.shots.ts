@@ -1,12 +1,13 @@
 /** The pictures of the guide: docs/guide/src/images. `SHOTS` names another folder. */
 
+import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, test } from "vitest";
-import { drop, FIXTURES, g1, NARROW, said, Server, Session, settled } from "./harness";
+import { command, drop, FIXTURES, g1, NARROW, Server, Session, settled } from "./harness";
 
 const folder = process.env["SHOTS"] ?? resolve(import.meta.dirname, "../../../../docs/guide/src/images");
 
@@ -74,12 +75,15 @@ test("fault", () => shoot("explorer-fault", "tab=file", {
 
 test("report", async () => {
   const file = join(mkdtempSync(join(tmpdir(), "eigenbody-shots-")), "g1.html");
-  said("report", g1(), "-o", file);
+  // By its own name, whatever folder it is in.
+  execFileSync(command(), ["report", basename(g1()), "-o", file], { cwd: dirname(g1()), stdio: "ignore" });
   const session = await Session.start(pathToFileURL(file).href, { colorScheme: "light" });
   try {
     const page = await session.page();
-    await page.setViewportSize({ width: 1000, height: 1500 });
-    await page.screenshot({ path: join(folder, "report.png") });
+    await page.setViewportSize({ width: 760, height: 800 });
+    // Down to the first robot.
+    const { y, height } = (await page.locator("figure").first().boundingBox())!;
+    await page.screenshot({ path: join(folder, "report.png"), fullPage: true, clip: { x: 0, y: 0, width: 760, height: y + height } });
   } finally {
     await session.stop();
   }

@@ -5,26 +5,26 @@ import {
   LineSegments, Material, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Quaternion, Raycaster, Scene, SphereGeometry, Vector2, Vector3,
   WebGLRenderer, type Object3D,
 } from "three";
-import type { Description } from "../api/types";
+import type { Description, Triangles } from "../api/types";
 import { along, arrowSize, axisLength, slideGeometry, turnGeometry } from "./arc";
 import { Copies } from "./copies";
 import { matrix, placed } from "./frames";
 import type { Hit, Painter } from "./painter";
 import { ARROWS, type Arrow, type Picture } from "./picture";
-import { shapeGroups, tint } from "./shapes";
+import { faceted, shapeGroup, tint } from "./shapes";
 
 /** Smallest half extent of a box, over the robot's extent: so that it is seen, and its matrix can be inverted. */
 const THINNEST = 1.5e-3;
 /** Above so many bodies each is too small for its overlays to need smooth curves. */
 const MANY = 60;
 
-/** None if the browser has no WebGL. */
-export function glPainter(canvas: HTMLCanvasElement): Painter | null {
+/** None if the browser has no WebGL. `mesh` gets the triangles of a mesh, `changed` is told that there is more to draw. */
+export function glPainter(canvas: HTMLCanvasElement, mesh: (k: number) => Promise<Triangles>, changed: () => void): Painter | null {
   const wanted = { alpha: true, depth: true, stencil: false };
   const fast = canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true });
   // Without a graphics processor edges are smoothed only where nothing moves.
   const context = fast ?? canvas.getContext("webgl2", { ...wanted, antialias: false });
-  return context && new GlPainter(canvas, context, fast !== null);
+  return context && new GlPainter(canvas, context, fast !== null, mesh, changed);
 }
 
 class GlPainter implements Painter {
@@ -37,6 +37,8 @@ class GlPainter implements Painter {
   private boxes: Copies | null = null;
   private readonly local: Matrix4[] = [];
   private shapes: Group[] = [];
+  private still = new Group();
+  private readonly meshes = new Map<number, Promise<BufferGeometry>>();
   private axes: Copies | null = null;
   private centres: Copies | null = null;
   private turns: Copies | null = null;
@@ -51,6 +53,8 @@ class GlPainter implements Painter {
     readonly canvas: HTMLCanvasElement,
     context: WebGL2RenderingContext,
     private readonly fast: boolean,
+    private readonly mesh: (k: number) => Promise<Triangles>,
+    private readonly changed: () => void,
   ) {
     this.renderer = new WebGLRenderer({ canvas, context });
     this.scene.add(new AmbientLight(0xffffff, 1.3), this.sun, this.sun.target, this.robot);
@@ -85,8 +89,10 @@ class GlPainter implements Painter {
     this.skeleton = new LineSegments(lines, new LineBasicMaterial());
     this.skeleton.frustumCulled = false;
     this.robot.add(this.skeleton);
-    this.shapes = shapeGroups(model);
-    this.shapes.forEach((group) => this.robot.add(group));
+    const bring = (k: number, part: Mesh) => void this.bring(k, part);
+    this.shapes = model.bodies.map(({ shapes }, k) => shapeGroup(shapes, k, bring));
+    this.still = shapeGroup(model.still, null, bring);
+    this.robot.add(this.still, ...this.shapes.filter(({ children }) => children.length > 0));
   }
 
   resize(width: number, height: number, fine: boolean): void {
@@ -104,6 +110,8 @@ class GlPainter implements Painter {
     if (!model || !boxes) return;
     this.last = picture;
     const shaped = picture.shapes && model.bodies.some((body) => body.shapes.length > 0);
+    this.still.visible = shaped;
+    tint(this.still, picture.theme.pale);
     const at = new Matrix4();
     for (const [k, body] of model.bodies.entries()) {
       const place = picture.places[k];
@@ -138,6 +146,18 @@ class GlPainter implements Painter {
     if (!hit) return null;
     const body = hit.object === this.boxes ? this.boxes.copyOf(hit.faceIndex ?? 0) : (hit.object.userData["body"] as number | undefined);
     return body === undefined ? null : { body, point: hit.point };
+  }
+
+  /** Shows a mesh once it is there; each is asked for once. */
+  private async bring(k: number, part: Mesh): Promise<void> {
+    const found = this.meshes.get(k) ?? this.mesh(k).then(faceted);
+    this.meshes.set(k, found);
+    try {
+      part.geometry = await found;
+      this.changed();
+    } catch {
+      this.meshes.delete(k);
+    }
   }
 
   private paintAxes({ axes, camera, overlays, scale, theme }: Picture): void {

@@ -43,7 +43,7 @@ export class Stage {
 
   constructor(private readonly explorer: Explorer) {
     this.canvas = stageCanvas();
-    const gl = glPainter(this.canvas);
+    const gl = glPainter(this.canvas, (k) => explorer.client.mesh(k), () => this.draw());
     if (!gl) {
       // A canvas that was asked for WebGL is lost to everything else.
       const fresh = stageCanvas();
@@ -165,7 +165,9 @@ export class Stage {
   }
 
   private look(eye: typeof this.eye.state): void {
-    this.explorer.update({ eye: rounded(eye) }, "view");
+    // Two fingers may move before the next drawing: each goes on from where the other has left the camera.
+    this.eye.state = rounded(eye);
+    this.explorer.update({ eye: this.eye.state }, "view");
   }
 
   private place(event: PointerEvent): { x: number; y: number } {
