@@ -4,7 +4,9 @@ use eigenbody::dynamics::{Tie, closure_residual, link_poses};
 use eigenbody::model::LinkInfo;
 use eigenbody::spatial::Vec3;
 use eigenbody::{Base, mass_matrix};
-use eigenbody_formats::{Form, Loaded, SdfOptions, Shape, UrdfOptions, read_sdf, read_sdf_str, read_urdf_str};
+use eigenbody_formats::{
+    Form, Loaded, SdfOptions, Shape, UrdfOptions, read_sdf, read_sdf_str, read_urdf_str,
+};
 use insta::assert_snapshot;
 
 fn loaded(model: &str) -> Loaded {
@@ -236,7 +238,8 @@ fn visuals_are_drawn_where_they_stand() {
         visual("v3", "0 0 0 0 0 0", "<mesh><uri>model://m/arm.stl</uri><scale>2 2 2</scale></mesh>"),
         visual("v4", "0 0 0 0 0 0", "<plane><normal>0 0 1</normal></plane>"),
         visual("v5", "0 0 0 0 0 0", "<sphere><radius>many</radius></sphere>"),
-        r#"<visual name="v6"><pose relative_to="j">0 0 0 0 0 0</pose><geometry><empty/></geometry></visual>"#.to_owned(),
+        r#"<visual name="v6"><pose relative_to="j">0 0 0 0 0 0</pose><geometry><empty/></geometry></visual>"#
+            .to_owned(),
     ]
     .concat();
     let model = format!(

@@ -206,8 +206,10 @@ impl<'a> Parts<'a> {
             let own_from_link = own * at.inverse();
             let I = own_from_link.transpose_rigid(link::inertia(element)?);
             let seen = look::looks(element).into_iter();
-            looks.extend(seen.map(|(X, form)| {
-                Look { link: frame.name.clone(), pose: X * own_from_link, form }
+            looks.extend(seen.map(|(X, form)| Look {
+                link: frame.name.clone(),
+                pose: X * own_from_link,
+                form,
             }));
             let id = builder.link(frame.name.clone(), I);
             link_spots.push(frame.at);

@@ -221,11 +221,7 @@ pub(super) fn mode(title: &str, mode: &ModePlace, names: &[String]) -> Html {
         );
         let share = Html::text(format!("{:.1}%", 100.0 * mode.shares[k]));
         let share = Html::element("span", &[("class", "share")], share);
-        vec![
-            Html::text(&names[k]),
-            data("", Some(mode.rates[k]), ""),
-            share.then(bar),
-        ]
+        vec![Html::text(&names[k]), data("", Some(mode.rates[k]), ""), share.then(bar)]
     });
     table(title, &["joint", "rate", "share"], rows)
 }

@@ -164,7 +164,9 @@ fn configurations(subject: &Subject, motion: Motion) -> Result<(Vec<Vec<f64>>, O
                 model.neutral()
             } else {
                 let effort = Effort { samples: 512, ..Effort::default() };
-                let found = survey(model, subject.reduction(), &Metric::Euclidean, effort, |_| ControlFlow::Continue(()))?;
+                let found = survey(model, subject.reduction(), &Metric::Euclidean, effort, |_| {
+                    ControlFlow::Continue(())
+                })?;
                 let [worst, ..] = found.spreads;
                 worst.at
             };

@@ -11,7 +11,8 @@ fn quick(samples: u32) -> Effort {
 #[test]
 fn a_chain_is_worst_stretched_out() {
     let chain: Model<f64> = Family::hydra(10, 1.0, 0.0, 1.0).unwrap().model().unwrap();
-    let found = survey(&chain, Reduction::default(), &Metric::Euclidean, quick(256), |_| Continue(())).unwrap();
+    let found =
+        survey(&chain, Reduction::default(), &Metric::Euclidean, quick(256), |_| Continue(())).unwrap();
     let [kappa, _, least] = &found.spreads;
     // The last digits of 1/κ at a smooth minimum: descent stops where it falls by 1e-9.
     assert!((kappa.worst / 42907.972749 - 1.0).abs() < 1e-6, "{kappa:?}");
@@ -28,7 +29,8 @@ fn no_grid_finds_much_worse() {
             (joint.kind, joint.armature) = (Joint::Revolute, Vec::new());
         }
         let model: Model<f64> = plan.build(Base::Fixed);
-        let found = survey(&model, Reduction::default(), &Metric::Euclidean, quick(256), |_| Continue(())).unwrap();
+        let found =
+            survey(&model, Reduction::default(), &Metric::Euclidean, quick(256), |_| Continue(())).unwrap();
         let mut evaluator = Evaluator::new(&model, Reduction::default(), Metric::Euclidean).unwrap();
         const STEPS: usize = 16;
         let angle = |k: usize| std::f64::consts::TAU * (k % STEPS) as f64 / STEPS as f64;
@@ -52,7 +54,9 @@ fn the_same_by_seed_and_threads() {
     let chain: Model<f64> = Family::hydra(5, 1.5, 0.5, 0.8).unwrap().model().unwrap();
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| survey(&chain, Reduction::default(), &Metric::Euclidean, quick(64), |_| Continue(())).unwrap())
+        pool.install(|| {
+            survey(&chain, Reduction::default(), &Metric::Euclidean, quick(64), |_| Continue(())).unwrap()
+        })
     };
     assert_eq!(run(1), run(2));
 }
@@ -73,7 +77,8 @@ fn a_singular_configuration_is_found() {
     robot.joint(JointSpec::new("roll", Joint::Revolute, light, lighter).about(Vec3::X));
     robot.joint(JointSpec::new("yaw", Joint::Revolute, lighter, head).about(Vec3::Z));
     let neck: Model<f64> = robot.build(Base::Fixed).unwrap();
-    let found = survey(&neck, Reduction::default(), &Metric::Euclidean, quick(128), |_| Continue(())).unwrap();
+    let found =
+        survey(&neck, Reduction::default(), &Metric::Euclidean, quick(128), |_| Continue(())).unwrap();
     for spread in &found.spreads {
         let roll = spread.at[1];
         assert!(roll.sin().abs() < 1e-4, "{spread:?}");

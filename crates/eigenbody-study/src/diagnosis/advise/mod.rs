@@ -258,7 +258,8 @@ impl<'a> Judge<'a> {
         let reduction = self.wish.reduction;
         let measure = match self.wish.goal {
             Goal::Step(_, integrator) => {
-                let found = survey(model, reduction, &Metric::Euclidean, effort, |_| ControlFlow::Continue(()))?;
+                let found =
+                    survey(model, reduction, &Metric::Euclidean, effort, |_| ControlFlow::Continue(()))?;
                 let known: Vec<Vec<f64>> = found.spreads.into_iter().map(|spread| spread.at).collect();
                 let (step, at) = worst_step(model, reduction, &self.impedance, integrator, effort, &known)?;
                 return Ok((if at.is_empty() { model.neutral() } else { at }, step));
