@@ -238,7 +238,7 @@ fn visuals_are_drawn_where_they_stand() {
         visual("v3", "0 0 0 0 0 0", "<mesh><uri>model://m/arm.stl</uri><scale>2 2 2</scale></mesh>"),
         visual("v4", "0 0 0 0 0 0", "<plane><normal>0 0 1</normal></plane>"),
         visual("v5", "0 0 0 0 0 0", "<sphere><radius>many</radius></sphere>"),
-        r#"<visual name="v6"><pose relative_to="j">0 0 0 0 0 0</pose><geometry><empty/></geometry></visual>"#
+        r#"<visual name="v6"><pose relative_to="j">0 0 0 0 0 0</pose><geometry><sphere><radius>1</radius></sphere></geometry></visual>"#
             .to_owned(),
     ]
     .concat();

@@ -189,7 +189,6 @@ test("meshes of the file that the server was started with", async () => {
     await settled(page);
     const drawn = await inked(page);
     expect(drawn).toBeGreaterThan(500);
-    await page.screenshot({ path: join(folder, "meshed.png") });
     await page.getByRole("checkbox", { name: "visuals of the file" }).uncheck();
     await page.waitForTimeout(600);
     expect(Math.abs((await inked(page)) / drawn - 1)).toBeGreaterThan(0.1);

@@ -80,10 +80,10 @@ test("report", async () => {
   const session = await Session.start(pathToFileURL(file).href, { colorScheme: "light" });
   try {
     const page = await session.page();
-    await page.setViewportSize({ width: 760, height: 800 });
+    await page.setViewportSize({ width: 820, height: 800 });
     // Down to the first robot.
     const { y, height } = (await page.locator("figure").first().boundingBox())!;
-    await page.screenshot({ path: join(folder, "report.png"), fullPage: true, clip: { x: 0, y: 0, width: 760, height: y + height } });
+    await page.screenshot({ path: join(folder, "report.png"), fullPage: true, clip: { x: 0, y: 0, width: 820, height: y + height } });
   } finally {
     await session.stop();
   }
