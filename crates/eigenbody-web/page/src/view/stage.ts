@@ -21,6 +21,8 @@ const KEYS: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRigh
 const REST = 200;
 /** Of the time that a drawing keeps the page waiting, the part that the page then has for all else. */
 const RESPITE = 0.5;
+/** The longest that a drawing is taken to last (ms): a page in the background is not slow, but asleep. */
+const SLOWEST = 100;
 
 export class Stage {
   readonly element: HTMLElement;
@@ -76,7 +78,6 @@ export class Stage {
    */
   draw(): void {
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => requestAnimationFrame((now) => this.frame(now, true)), REST);
     if (this.due) return;
     this.due = true;
     const next = () => requestAnimationFrame((now) => {
@@ -84,7 +85,9 @@ export class Stage {
       const begun = performance.now();
       this.frame(now, false);
       // A browser without a graphics processor draws after this, with the page standing still.
-      setTimeout(() => (this.free = begun + (1 + RESPITE) * (performance.now() - begun)));
+      setTimeout(() => (this.free = begun + (1 + RESPITE) * Math.min(SLOWEST, performance.now() - begun)));
+      clearTimeout(this.rest);
+      this.rest = setTimeout(() => requestAnimationFrame((then) => this.due || this.frame(then, true)), REST);
     });
     const pause = this.free - performance.now();
     if (pause > 1) setTimeout(next, pause);
