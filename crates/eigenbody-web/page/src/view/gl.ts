@@ -227,6 +227,8 @@ class GlPainter implements Painter {
       const cell = 10 ** Math.round(Math.log10(size / 3));
       const cells = 2 * Math.ceil((1.1 * size) / cell);
       this.floor = new GridHelper(cells * cell, cells, theme.faint, theme.faint);
+      // What lies in the floor is seen on it.
+      this.floor.renderOrder = -1;
       this.floor.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), up));
       const [first] = this.last?.places ?? [];
       // Grid lines stand at whole cells, the floor through the world's origin.
