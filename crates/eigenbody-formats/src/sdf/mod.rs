@@ -103,7 +103,7 @@ pub(crate) fn read_text(
     let notes = cut.iter().map(note).collect();
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
-    Ok(Loaded { closures, looks, notes, ..Loaded::new(model, file_name, kind, places) })
+    Ok(Loaded { looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
 }
 
 /// A closure, unless its joint has an axis without a direction.
