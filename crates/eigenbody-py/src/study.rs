@@ -234,7 +234,7 @@ fn interruptible<T: Send>(
                     unwanted.store(signal.is_err(), Relaxed);
                 }
             }
-            run.join().unwrap_or_else(|panic| resume_unwind(panic))
+            run.join().unwrap_or_else(resume_unwind)
         })
     });
     signal?;
