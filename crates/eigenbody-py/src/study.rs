@@ -234,7 +234,10 @@ fn interruptible<T: Send>(
                     unwanted.store(signal.is_err(), Relaxed);
                 }
             }
-            run.join().unwrap_or_else(resume_unwind)
+            match run.join() {
+                Ok(found) => found,
+                Err(panic) => resume_unwind(panic),
+            }
         })
     });
     signal?;
