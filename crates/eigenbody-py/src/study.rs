@@ -3,6 +3,7 @@
 use crate::error::Failure;
 use crate::given::Gains;
 use crate::model::{Model, Shared};
+use crate::simulate::ctrl_c;
 use eigenbody::search::{Effort, survey};
 use eigenbody::stability::Integrator;
 use eigenbody_report::{
@@ -230,7 +231,7 @@ fn interruptible<T: Send>(
             // Nothing is ever sent: the channel closes with the search.
             while let Err(RecvTimeoutError::Timeout) = told.recv_timeout(PAUSE) {
                 if signal.is_ok() {
-                    signal = Python::attach(|py| py.check_signals());
+                    signal = Python::attach(ctrl_c);
                     unwanted.store(signal.is_err(), Relaxed);
                 }
             }
