@@ -25,7 +25,7 @@ pub fn test() -> Outcome {
     tools.script("e2e")
 }
 
-/// The pictures of docs/guide/src/explorer.md.
+/// The pictures of the explorer and of a report in docs/guide/src.
 pub fn pictures() -> Outcome {
     let tools = Tools::prepare()?;
     run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;

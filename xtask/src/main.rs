@@ -50,7 +50,11 @@ const TASKS: &[Task] = &[
         about: "the explorer and the report in a real browser; the page's own tests",
         run: explorer::test,
     },
-    Task { name: "pictures", about: "the pictures of docs/guide/src/explorer.md", run: explorer::pictures },
+    Task {
+        name: "pictures",
+        about: "the guide's pictures of the explorer and of a report",
+        run: explorer::pictures,
+    },
     Task {
         name: "survey",
         about: "docs/survey.md: `eigenbody check` on published robots",

@@ -36,8 +36,8 @@ const ABOVE: usize = 4;
 
 /// The triangles of a mesh that a robot file names for drawing: STL (binary), OBJ or MSH.
 ///
-/// It is looked for in the robot's folder and the one above it, `package://NAME/..` also in a folder NAME further above; a file outside of
-/// these, by whatever name, is not read. Errors: [`MeshFault`].
+/// It is looked for in the robot's folder and the one above it, `package://NAME/..` and `model://NAME/..` also in a folder NAME further above; a
+/// file outside of these, by whatever name, is not read. Errors: [`MeshFault`].
 pub fn read_look(robot: &Path, file: &str) -> Result<Mesh, MeshFault> {
     let missing = || MeshFault::File { file: file.to_owned(), fault: crate::error::FileFault::Missing };
     let path = find(robot, file).ok_or_else(missing)?;
@@ -53,7 +53,7 @@ fn find(robot: &Path, file: &str) -> Option<PathBuf> {
     let folder = robot.parent()?;
     let near = [Some(folder), folder.parent()];
     let mut places: Vec<(PathBuf, &Path)> = Vec::new();
-    match file.strip_prefix("package://") {
+    match file.strip_prefix("package://").or_else(|| file.strip_prefix("model://")) {
         Some(rest) => {
             let (package, inside) = rest.split_once('/')?;
             for above in folder.ancestors().take(ABOVE) {

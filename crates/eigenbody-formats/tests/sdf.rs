@@ -1,10 +1,12 @@
 //! SDF files: the same robots as in URDF, the graph of poses, the errors.
 
-use eigenbody::dynamics::{Tie, closure_residual};
+use eigenbody::dynamics::{Tie, closure_residual, link_poses};
 use eigenbody::model::LinkInfo;
 use eigenbody::spatial::Vec3;
 use eigenbody::{Base, mass_matrix};
-use eigenbody_formats::{Loaded, SdfOptions, UrdfOptions, read_sdf, read_sdf_str, read_urdf_str};
+use eigenbody_formats::{
+    Form, Loaded, SdfOptions, Shape, UrdfOptions, read_sdf, read_sdf_str, read_urdf_str,
+};
 use insta::assert_snapshot;
 
 fn loaded(model: &str) -> Loaded {
@@ -222,4 +224,46 @@ fn every_fault_has_its_place() {
     assert_snapshot!(joint("revolute", &format!("{ENDS}<axis><xyz>0 0 0</xyz></axis>")), @"m.sdf:3:1: joint 'j' has axis 0 0 0, expected a direction");
     let auto = "<link name='a'><inertial auto='true'/><collision name='c'><geometry><mesh/></geometry></collision></link>";
     assert_snapshot!(fault(auto), @"m.sdf:2:69: <mesh> cannot be read: inertia comes from boxes, spheres, cylinders, capsules and ellipsoids");
+}
+
+/// A link's own frame may stand away from its joint's, by which it is carried.
+#[test]
+fn visuals_are_drawn_where_they_stand() {
+    let visual = |name: &str, pose: &str, geometry: &str| {
+        format!(r#"<visual name="{name}"><pose>{pose}</pose><geometry>{geometry}</geometry></visual>"#)
+    };
+    let seen = [
+        visual("v1", "0 0 1 0 0 0", "<box><size>2 4 6</size></box>"),
+        visual("v2", "0 1 0 0 0 0", "<cylinder><radius>0.1</radius><length>0.6</length></cylinder>"),
+        visual("v3", "0 0 0 0 0 0", "<mesh><uri>model://m/arm.stl</uri><scale>2 2 2</scale></mesh>"),
+        visual("v4", "0 0 0 0 0 0", "<plane><normal>0 0 1</normal></plane>"),
+        visual("v5", "0 0 0 0 0 0", "<sphere><radius>many</radius></sphere>"),
+        r#"<visual name="v6"><pose relative_to="j">0 0 0 0 0 0</pose><geometry><sphere><radius>1</radius></sphere></geometry></visual>"#
+            .to_owned(),
+    ]
+    .concat();
+    let model = format!(
+        r#"<link name="a"><pose>1 0 0 0 0 0</pose>{seen}</link>
+        <joint name="j" type="revolute"><pose>0 0 -0.5 0 0 0</pose><parent>world</parent><child>a</child><axis><xyz>0 0 1</xyz></axis></joint>"#
+    );
+    let robot = loaded(&model);
+    let links = robot.model.links();
+    let poses = link_poses(&robot.model, &[0.0]).unwrap();
+    let drawn: Vec<(Form, [f64; 3])> = robot
+        .looks
+        .iter()
+        .map(|look| {
+            let link = links.iter().position(|link| link.name() == look.link).unwrap();
+            (look.form.clone(), (look.pose * poses[link]).r.to_array())
+        })
+        .collect();
+    let mesh = Form::Mesh { file: "model://m/arm.stl".into(), scale: [2.0; 3] };
+    assert_eq!(
+        drawn,
+        [
+            (Form::Primitive(Shape::Box([1.0, 2.0, 3.0])), [1.0, 0.0, 1.0]),
+            (Form::Primitive(Shape::Cylinder([0.1, 0.3])), [1.0, 1.0, 0.0]),
+            (mesh, [1.0, 0.0, 0.0]),
+        ]
+    );
 }

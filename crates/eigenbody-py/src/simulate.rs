@@ -254,7 +254,7 @@ pub fn simulate<'py>(
 }
 
 /// The exception that Ctrl-C raises.
-fn ctrl_c(py: Python<'_>) -> PyResult<()> {
+pub fn ctrl_c(py: Python<'_>) -> PyResult<()> {
     py.check_signals()
 }
 

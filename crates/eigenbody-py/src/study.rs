@@ -3,6 +3,7 @@
 use crate::error::Failure;
 use crate::given::Gains;
 use crate::model::{Model, Shared};
+use crate::simulate::ctrl_c;
 use eigenbody::search::{Effort, survey};
 use eigenbody::stability::Integrator;
 use eigenbody_report::{
@@ -16,8 +17,17 @@ use eigenbody_study::{Lab, select};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::ops::ControlFlow;
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+/// How often Ctrl-C is looked for.
+const PAUSE: Duration = Duration::from_millis(50);
 
 fn effort((samples, seed): (u32, u32)) -> Result<Effort, Failure> {
     if !(1..=65_536).contains(&samples) {
@@ -196,6 +206,45 @@ impl Examination {
     }
 }
 
+/// What is asked before each configuration whether to go on.
+type Progress<'a> = dyn Fn(usize) -> ControlFlow<()> + Sync + 'a;
+
+/// Runs a search beside the thread that signals come to, and ends it on Ctrl-C.
+fn interruptible<T: Send>(
+    py: Python<'_>,
+    search: impl FnOnce(&Progress<'_>) -> Result<T, Failure> + Send,
+) -> Result<T, Failure> {
+    let unwanted = AtomicBool::new(false);
+    let progress = |_| match unwanted.load(Relaxed) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    };
+    let mut signal = Ok(());
+    let found = py.detach(|| {
+        thread::scope(|scope| {
+            let (tell, told) = channel::<()>();
+            let run = scope.spawn(|| {
+                let found = search(&progress);
+                drop(tell);
+                found
+            });
+            // Nothing is ever sent: the channel closes with the search.
+            while let Err(RecvTimeoutError::Timeout) = told.recv_timeout(PAUSE) {
+                if signal.is_ok() {
+                    signal = Python::attach(ctrl_c);
+                    unwanted.store(signal.is_err(), Relaxed);
+                }
+            }
+            match run.join() {
+                Ok(found) => found,
+                Err(panic) => resume_unwind(panic),
+            }
+        })
+    });
+    signal?;
+    found
+}
+
 /// What `eigenbody check --format json` prints, as a `Diagnosis`.
 pub fn check<'py>(
     model: &Model,
@@ -207,8 +256,8 @@ pub fn check<'py>(
     let goal = look.goal(&question.drive)?;
     let baseline = look.baseline()?;
     let robot = &shared.robot;
-    let (found, advice) = py.detach(|| {
-        let found = diagnose(&robot.model, &question, |_| ())?;
+    let (found, advice) = interruptible(py, |progress| {
+        let found = diagnose(&robot.model, &question, progress)?;
         let Question { reduction, effort, drive, .. } = &question;
         let advice = match goal {
             Some(goal) => {
@@ -217,7 +266,7 @@ pub fn check<'py>(
             }
             None => None,
         };
-        Ok::<_, Failure>((found, advice))
+        Ok((found, advice))
     })?;
     if advice.as_ref().is_some_and(|(_, found)| found.is_empty()) {
         return Err(Failure::input("model", "nothing was found that does what is wanted"));
@@ -245,7 +294,9 @@ pub fn worst_case<'py>(
 ) -> Result<Bound<'py, PyDict>, Failure> {
     let shared = &model.shared;
     let (metric, effort) = (eigenbody_formats::metric(metric)?, effort(look)?);
-    let found = py.detach(|| survey(&shared.robot.model, shared.robot.reduction, &metric, effort, |_| ()))?;
+    let found = interruptible(py, |progress| {
+        Ok(survey(&shared.robot.model, shared.robot.reduction, &metric, effort, progress)?)
+    })?;
     let class = py.import("eigenbody._results")?.getattr("WorstCase")?;
     let all = PyDict::new(py);
     for (name, spread) in ["kappa", "kappa_weighted", "lambda_min"].into_iter().zip(found.spreads) {

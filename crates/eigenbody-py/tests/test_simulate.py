@@ -175,13 +175,21 @@ def test_refusals(options, error, words):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
-def test_ctrl_c_is_heard():
+@pytest.mark.parametrize(
+    "call",
+    [
+        "hydra(40).simulate(1e5, rate=1e-4, method='rk4', step=1e-3, monitors=[])",
+        "hydra(400, 1.5, 0.3, 0.9).check(samples=60_000)",
+        "hydra(400, 1.5, 0.3, 0.9).worst_case(samples=60_000)",
+    ],
+)
+def test_ctrl_c_is_heard(call):
     code = (
         "import eigenbody, signal\n"
         # What runs in the background of a shell ignores it from the start.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "print('begun', flush=True)\n"
-        "eigenbody.Model.hydra(40).simulate(1e5, rate=1e-4, method='rk4', step=1e-3, monitors=[])\n"
+        f"eigenbody.Model.{call}\n"
     )
     process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout is not None and process.stdout.readline() == "begun\n"

@@ -5,13 +5,14 @@ use eigenbody::search::{Effort, Measure};
 use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
 use eigenbody::{Base, Family, Joint, Model, ModelBuilder};
 use eigenbody_study::diagnosis::{Diagnosis, Limits, Mechanism, Question, Severity, Use, diagnose};
+use std::ops::ControlFlow::Continue;
 
 fn quick() -> Question {
     Question { effort: Effort { samples: 128, starts: 4, ..Effort::default() }, ..Question::default() }
 }
 
 fn check(model: &Model<f64>) -> Diagnosis {
-    diagnose(model, &quick(), |_| ()).unwrap()
+    diagnose(model, &quick(), |_| Continue(())).unwrap()
 }
 
 fn ids(found: &Diagnosis) -> Vec<&'static str> {
@@ -101,7 +102,7 @@ fn limits_decide_what_is_a_finding() {
     let chain: Model<f64> = Family::hydra(10, 1.0, 0.0, 1.0).unwrap().model().unwrap();
     assert!(check(&chain).findings.is_empty());
     let strict = Question { limits: Limits { kappa: 1e4, ..Limits::default() }, ..quick() };
-    let found = diagnose(&chain, &strict, |_| ()).unwrap();
+    let found = diagnose(&chain, &strict, |_| Continue(())).unwrap();
     assert_eq!(ids(&found), ["gains"]);
     assert_eq!(found.findings[0].mechanism, Some(Mechanism::Spread));
 }

@@ -6,10 +6,11 @@ use eigenbody::spatial::RigidInertia;
 use eigenbody::spectrum::eigenvalues;
 use eigenbody::{Family, Model, mass_matrix};
 use eigenbody_study::diagnosis::{Diagnosis, Parameter, Question, Sensitivity, diagnose};
+use std::ops::ControlFlow::Continue;
 
 fn found(model: &Model<f64>) -> Diagnosis {
     let effort = Effort { samples: 64, starts: 4, ..Effort::default() };
-    diagnose(model, &Question { effort, ..Question::default() }, |_| ()).unwrap()
+    diagnose(model, &Question { effort, ..Question::default() }, |_| Continue(())).unwrap()
 }
 
 /// λmax and λmin in double-double of a robot with one parameter changed by `part` of what it is measured against.

@@ -6,6 +6,7 @@ use eigenbody::spatial::Vec3;
 use eigenbody::stability::{Impedance, Integrator, Spring, SpringSource, largest_step};
 use eigenbody::{Family, Model, Reduction, mass_matrix};
 use eigenbody_study::diagnosis::{Diagnosis, Drive, Question, Stepping, diagnose};
+use std::ops::ControlFlow::Continue;
 
 /// A spring and a damper on every joint, not the same on all.
 fn springs(model: &Model<f64>, kp: f64, kd: f64) -> Vec<Spring> {
@@ -21,7 +22,7 @@ fn springs(model: &Model<f64>, kp: f64, kd: f64) -> Vec<Spring> {
 
 fn check(model: &Model<f64>, drive: Drive) -> Diagnosis {
     let effort = Effort { samples: 128, starts: 4, ..Effort::default() };
-    diagnose(model, &Question { effort, drive, ..Question::default() }, |_| ()).unwrap()
+    diagnose(model, &Question { effort, drive, ..Question::default() }, |_| Continue(())).unwrap()
 }
 
 fn stepping(model: &Model<f64>, drive: Drive) -> Stepping {

@@ -7,6 +7,7 @@ use eigenbody_formats::{LoadOptions, load, load_text};
 use eigenbody_report::DiagnosisReport;
 use eigenbody_study::diagnosis::{self, Drive, diagnose};
 use serde_json::{Value, json};
+use std::ops::ControlFlow::Continue;
 
 const ARM: &str = r#"<robot name="arm">
   <link name="base"/>
@@ -179,7 +180,8 @@ fn a_check_is_that_of_the_command_line() {
     let question =
         diagnosis::Question { reduction, drive: Drive::of(&loaded), ..diagnosis::Question::default() };
     let effort = eigenbody::search::Effort { samples: 256, ..question.effort };
-    let expected = diagnose(&loaded.model, &diagnosis::Question { effort, ..question }, |_| ()).unwrap();
+    let expected =
+        diagnose(&loaded.model, &diagnosis::Question { effort, ..question }, |_| Continue(())).unwrap();
     let report = DiagnosisReport::of("arm.urdf", &loaded, &expected);
     assert_eq!(found, serde_json::to_value(report).unwrap());
 }

@@ -105,4 +105,7 @@ pub enum Error {
         /// Iterations spent on it.
         iterations: usize,
     },
+    /// Whoever was told of the progress wanted no more of it.
+    #[error("interrupted")]
+    Interrupted,
 }

@@ -17,6 +17,7 @@ use eigenbody_study::StudyError;
 use eigenbody_study::diagnosis::{Diagnosis, Goal, Limits, Question, Remedies, Severity, diagnose};
 use eigenbody_study::portrait::worst_portraits;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 /// A robot, examined.
@@ -96,7 +97,10 @@ fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
     let drive = drive(&settings.drive(&args.gains), &loaded)?;
     let question = Question { reduction, metric, effort, limits: limits(args, &settings)?, drive };
     let bar = progress();
-    let found = diagnose(&loaded.model, &question, |evaluated| bar.inc(evaluated as u64));
+    let found = diagnose(&loaded.model, &question, |evaluated| {
+        bar.inc(evaluated as u64);
+        ControlFlow::Continue(())
+    });
     bar.finish_and_clear();
     let name = &args.model.model;
     let found = found.map_err(|error| failed(name, error))?;

@@ -50,7 +50,7 @@ fn from_collisions(link: &Element, inertial: &Element) -> Result<RigidInertia<f6
     Ok(sum)
 }
 
-fn primitive(shape: &Element) -> Result<Shape, Fault> {
+pub(super) fn primitive(shape: &Element) -> Result<Shape, Fault> {
     let size = |tag: &'static str| -> Result<f64, Fault> {
         let element = super::fault::required(shape, tag)?;
         let [x] = array(element)?;

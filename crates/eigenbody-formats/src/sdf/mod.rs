@@ -12,6 +12,7 @@ mod fault;
 mod include;
 mod joint;
 mod link;
+mod look;
 mod parts;
 mod pose;
 mod scope;
@@ -87,7 +88,7 @@ pub(crate) fn read_text(
         let problem = "a floating base needs exactly one link that no joint carries".to_owned();
         return Err(FormatError::Unsuitable { text: file_name, problem });
     }
-    let Built { model, link_spots, joint_spots, joint_names, cut } =
+    let Built { model, link_spots, joint_spots, joint_names, cut, looks } =
         parts.build(options.base).map_err(|problem| located(problem, &files))?;
     let places = Places {
         files: files.all.iter().map(|file| file.name.clone()).collect(),
@@ -102,7 +103,7 @@ pub(crate) fn read_text(
     let notes = cut.iter().map(note).collect();
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
-    Ok(Loaded { closures, notes, ..Loaded::new(model, file_name, kind, places) })
+    Ok(Loaded { looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
 }
 
 /// A closure, unless its joint has an axis without a direction.

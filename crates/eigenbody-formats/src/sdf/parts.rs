@@ -2,7 +2,8 @@
 
 use super::fault::{Fault, SdfFault, array, boolean_in, child, fault, name, required, unsupported};
 use super::scope::{Kind, Scopes, WORLD};
-use super::{joint, link, pose};
+use super::{joint, link, look, pose};
+use crate::looks::Look;
 use crate::xml::{Element, Files, Spot};
 use eigenbody::dynamics::{Anchor, Closure};
 use eigenbody::model::{JointSpec, LinkId, Place};
@@ -33,6 +34,7 @@ pub(super) struct Built {
     pub joint_names: Vec<String>,
     /// Joints that close loops, with their places.
     pub cut: Vec<(Spot, Closure)>,
+    pub looks: Vec<Look>,
 }
 
 impl<'a> Parts<'a> {
@@ -187,6 +189,7 @@ impl<'a> Parts<'a> {
         // Where the frame of each built link stands: a joint's, of the link it carries; else the link's own.
         let mut frames: HashMap<usize, Transform<f64>> = HashMap::new();
         let mut specs: Vec<(JointSpec<f64>, Spot)> = Vec::new();
+        let mut looks = Vec::new();
         let carrier: HashMap<usize, usize> = self.joints.iter().map(|&(j, _, child)| (child, j)).collect();
         let world = (base == Base::Fixed).then(|| {
             link_spots.push(self.scopes.frames[WORLD].at);
@@ -200,7 +203,14 @@ impl<'a> Parts<'a> {
                 Some(&joint) => self.scopes.pose(joint)?,
                 None => own,
             };
-            let I = (own * at.inverse()).transpose_rigid(link::inertia(element)?);
+            let own_from_link = own * at.inverse();
+            let I = own_from_link.transpose_rigid(link::inertia(element)?);
+            let seen = look::looks(element).into_iter();
+            looks.extend(seen.map(|(X, form)| Look {
+                link: frame.name.clone(),
+                pose: X * own_from_link,
+                form,
+            }));
             let id = builder.link(frame.name.clone(), I);
             link_spots.push(frame.at);
             ids.insert(link, id);
@@ -263,6 +273,6 @@ impl<'a> Parts<'a> {
             let name = format!("joint '{}'", frame.name);
             cut.push((frame.at, Closure { name, tie: motion.tie(), anchors }));
         }
-        Ok(Built { model, link_spots, joint_spots, joint_names, cut })
+        Ok(Built { model, link_spots, joint_spots, joint_names, cut, looks })
     }
 }

@@ -2,9 +2,12 @@
 
 use super::html::{Html, table};
 use super::{Page, heading, symbol};
-use crate::diagnosis::{AdviceReport, SteppingReport};
+use crate::diagnosis::{AdviceReport, SensitivityReport, SteppingReport};
 use crate::number::significant;
 use eigenbody_study::portrait::ModePlace;
+
+/// Parameters that are seen at once.
+const STRONGEST: usize = 8;
 
 /// A number with its exact value; `nothing` where there is none.
 pub(super) fn data(id: &str, x: Option<f64>, nothing: &str) -> Html {
@@ -65,16 +68,22 @@ pub(super) fn summary(page: &Page) -> Html {
         whole.push(Html::element("p", &[], predicted));
     }
     if !report.sensitivities.is_empty() {
-        let rows = report.sensitivities.iter().map(|one| {
+        let headings = ["parameter", "is", "a change of", "changes log κ by"];
+        let row = |one: &SensitivityReport| {
             vec![
                 Html::text(format!("{} of {}", one.parameter, one.of)),
                 data("", Some(one.value), ""),
                 data("", Some(one.against), ""),
                 data("", Some(one.rate), ""),
             ]
-        });
-        let headings = ["parameter", "is", "a change of", "changes log κ by"];
-        whole.push(table("What moves κ most where it is worst", &headings, rows));
+        };
+        let (most, less) = report.sensitivities.split_at(report.sensitivities.len().min(STRONGEST));
+        whole.push(table("What moves κ most where it is worst", &headings, most.iter().map(row)));
+        if !less.is_empty() {
+            let summary = Html::words("summary", format!("{} parameters that move it less", less.len()));
+            let rest = table("What moves κ less where it is worst", &headings, less.iter().map(row));
+            whole.push(Html::element("details", &[], summary.then(rest)));
+        }
     }
     for (k, motion) in report.null_motions.iter().enumerate() {
         let rows = motion.iter().map(|rate| vec![Html::text(&rate.joint), data("", Some(rate.rate), "")]);
@@ -210,11 +219,9 @@ pub(super) fn mode(title: &str, mode: &ModePlace, names: &[String]) -> Html {
             &[("class", "bar"), ("style", &width), ("aria-hidden", "true")],
             Html::new(),
         );
-        vec![
-            Html::text(&names[k]),
-            data("", Some(mode.rates[k]), ""),
-            Html::text(format!("{:.1}% ", 100.0 * mode.shares[k])).then(bar),
-        ]
+        let share = Html::text(format!("{:.1}%", 100.0 * mode.shares[k]));
+        let share = Html::element("span", &[("class", "share")], share);
+        vec![Html::text(&names[k]), data("", Some(mode.rates[k]), ""), share.then(bar)]
     });
     table(title, &["joint", "rate", "share"], rows)
 }

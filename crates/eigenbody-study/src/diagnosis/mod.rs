@@ -33,7 +33,8 @@ pub use stepping::{JointGains, ModeGains, Stepping, WorstStep};
 
 use crate::StudyError;
 use eigenbody::search::{Effort, Evaluator, Measure, Spread, Survey, Values, survey};
-use eigenbody::{Metric, Model, Reduction};
+use eigenbody::{Error, Metric, Model, Reduction};
+use std::ops::ControlFlow;
 
 /// How to look.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,16 +107,17 @@ impl Diagnosis {
 /// Examines a robot over its joint limits.
 ///
 /// Method: [`survey`], then modes, energy shares and joint axes at the worst configurations, null motions in double-double, and the
-/// loss of digits of forward dynamics against double-double. `progress` is told of configurations as they are evaluated.
+/// loss of digits of forward dynamics against double-double. `progress` is told of configurations as they are evaluated, from any thread.
 ///
-/// Errors: [`StudyError`] if the metric does not fit or a floating base is missing.
+/// Errors: [`StudyError`] if the metric does not fit or a floating base is missing; [`Error::Interrupted`] soon after `progress` breaks.
 ///
 /// ```
 /// use eigenbody::search::{Effort, Measure};
 /// use eigenbody_study::diagnosis::{Question, diagnose};
+/// use std::ops::ControlFlow::Continue;
 /// let arm = eigenbody::Family::hydra(3, 1.0, 0.0, 1.0)?.model::<f64>()?;
 /// let question = Question { effort: Effort { samples: 64, ..Effort::default() }, ..Question::default() };
-/// let found = diagnose(&arm, &question, |_| ())?;
+/// let found = diagnose(&arm, &question, |_| Continue(()))?;
 /// assert!((found.by(Measure::Kappa).unwrap().spread.worst - 306.06).abs() < 0.01);
 /// assert!(found.findings.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -123,7 +125,7 @@ impl Diagnosis {
 pub fn diagnose(
     model: &Model<f64>,
     question: &Question,
-    progress: impl Fn(usize) + Sync,
+    progress: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Diagnosis, StudyError> {
     let Question { reduction, metric, effort, limits, drive } = question;
     let rows = reduction.dofs(model);
@@ -144,23 +146,26 @@ pub fn diagnose(
         });
     }
     let null_motions = rest::null_motions(model, *reduction)?;
-    let Survey { spreads, evaluations } = survey(model, *reduction, metric, *effort, progress)?;
+    let Survey { spreads, evaluations } = survey(model, *reduction, metric, *effort, &progress)?;
     let mut evaluator = Evaluator::new(model, *reduction, metric.clone())?;
     let mut worst = Vec::new();
     for spread in spreads {
+        proceed(&progress)?;
         let values = evaluator.values(&spread.at)?;
         let blame = blame::blame(model, *reduction, metric, &evaluator, &spread)?;
         worst.push(Worst { spread, values, blame });
     }
     let at = worst.iter().find(|worst| worst.spread.measure == Measure::KappaWeighted);
+    proceed(&progress)?;
     let digits = match at {
         Some(worst) if null_motions.is_empty() => digits::measure(model, *reduction, &worst.spread.at)?,
         _ => None,
     };
     let stepping = match null_motions.is_empty() {
-        true => stepping::stepping(model, *reduction, drive, *effort, &worst)?,
+        true => stepping::stepping(model, *reduction, drive, *effort, &worst, &progress)?,
         false => None,
     };
+    proceed(&progress)?;
     let sensitivities = match worst.iter().find(|worst| worst.spread.measure == Measure::Kappa) {
         Some(worst) => sensitivity::sensitivities(model, *reduction, metric, &evaluator, &worst.spread.at)?,
         None => Vec::new(),
@@ -178,4 +183,9 @@ pub fn diagnose(
     };
     found.findings = finding::findings(&found, limits);
     Ok(found)
+}
+
+/// An error where whoever watches wants no more.
+fn proceed(progress: &(impl Fn(usize) -> ControlFlow<()> + ?Sized)) -> Result<(), Error> {
+    if progress(0).is_break() { Err(Error::Interrupted) } else { Ok(()) }
 }

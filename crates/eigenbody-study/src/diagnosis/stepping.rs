@@ -9,7 +9,7 @@
 //! c = 4, d = 2 for Euler's methods, 8 and 2.785 for Runge-Kutta 4; kd is without bound where damping is implicit. Runge-Kutta's own
 //! worst is looked for among the worst of the others.
 
-use super::{Drive, Part, Worst};
+use super::{Drive, Part, Worst, proceed};
 use crate::StudyError;
 use eigenbody::dynamics::kinetic_energy_gradient;
 use eigenbody::factor::Cholesky;
@@ -17,6 +17,7 @@ use eigenbody::search::{Domain, Effort, Evaluator, Landscape, Measure, Point, de
 use eigenbody::stability::{Impedance, Integrator, REAL_LIMIT, StepLimit, is_stable, largest_step};
 use eigenbody::{Error, Matrix, Metric, Model, Reduction};
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// Configurations sampled at most.
 const SAMPLES: u32 = 512;
@@ -110,6 +111,7 @@ pub(super) fn stepping(
     drive: &Drive,
     effort: Effort,
     worst: &[Worst],
+    progress: &Progress<'_>,
 ) -> Result<Option<Stepping>, StudyError> {
     let impedance = Impedance::new(model, reduction, &drive.springs);
     if impedance.is_zero() && drive.step.is_none() {
@@ -128,7 +130,7 @@ pub(super) fn stepping(
         return Ok(Some(nothing));
     }
     let known: Vec<Vec<f64>> = worst.iter().map(|worst| worst.spread.at.clone()).collect();
-    let field = Field::new(model, reduction, &impedance)?;
+    let field = Field::new(model, reduction, &impedance, progress)?;
     let effort = Effort { samples: effort.samples.min(SAMPLES), ..effort };
     let limits = if impedance.is_zero() { Vec::new() } else { field.limits(integrator, effort, &known)? };
     let joints = field.joints(drive, effort, &known)?;
@@ -145,11 +147,14 @@ pub(super) fn worst_step(
     effort: Effort,
     known: &[Vec<f64>],
 ) -> Result<(f64, Vec<f64>), StudyError> {
-    let field = Field::new(model, reduction, impedance)?;
+    let field = Field::new(model, reduction, impedance, &|_| ControlFlow::Continue(()))?;
     let found = field.records(&[integrator], effort, known)?;
     let worst = found[0].iter().min_by(|a, b| a.0.total_cmp(&b.0));
     Ok(worst.map_or((f64::INFINITY, Vec::new()), |(step, point)| (*step, field.domain.configuration(point))))
 }
+
+/// Who may end a search, asked before each configuration.
+type Progress<'a> = dyn Fn(usize) -> ControlFlow<()> + Sync + 'a;
 
 /// A robot held by springs, over its joint limits.
 struct Field<'m> {
@@ -159,6 +164,7 @@ struct Field<'m> {
     domain: Domain<'m>,
     evaluator: Evaluator<'m>,
     dofs: Vec<String>,
+    progress: &'m Progress<'m>,
 }
 
 /// A step and the point where no larger one is stable.
@@ -169,14 +175,16 @@ impl<'m> Field<'m> {
         model: &'m Model<f64>,
         reduction: Reduction,
         impedance: &'m Impedance,
+        progress: &'m Progress<'m>,
     ) -> Result<Self, StudyError> {
         let domain = Domain::new(model, reduction.mimic);
         let evaluator = Evaluator::new(model, reduction, Metric::Euclidean)?;
         let dofs = reduction.dofs(model).into_iter().map(|d| model.dof_name(d)).collect();
-        Ok(Self { model, reduction, impedance, domain, evaluator, dofs })
+        Ok(Self { model, reduction, impedance, domain, evaluator, dofs, progress })
     }
 
     fn mass_matrix(&self, q: &[f64]) -> Result<Matrix<f64>, Error> {
+        proceed(self.progress)?;
         self.reduction.mass_matrix(self.model, q)
     }
 

@@ -16,6 +16,7 @@ use eigenbody::spectrum::sturm::{Diagonal, Pencil};
 use eigenbody::spectrum::{Precision, Tracker, eigenvalues, extremes};
 use eigenbody::{Family, Metric, Model};
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// Rows a second.
@@ -163,7 +164,9 @@ fn configurations(subject: &Subject, motion: Motion) -> Result<(Vec<Vec<f64>>, O
                 model.neutral()
             } else {
                 let effort = Effort { samples: 512, ..Effort::default() };
-                let found = survey(model, subject.reduction(), &Metric::Euclidean, effort, |_| {})?;
+                let found = survey(model, subject.reduction(), &Metric::Euclidean, effort, |_| {
+                    ControlFlow::Continue(())
+                })?;
                 let [worst, ..] = found.spreads;
                 worst.at
             };

@@ -1,10 +1,13 @@
 /** The pictures of the guide: docs/guide/src/images. `SHOTS` names another folder. */
 
-import { mkdirSync, readFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, dirname, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, test } from "vitest";
-import { drop, FIXTURES, g1, NARROW, Server, Session, settled } from "./harness";
+import { command, drop, FIXTURES, g1, NARROW, Server, Session, settled } from "./harness";
 
 const folder = process.env["SHOTS"] ?? resolve(import.meta.dirname, "../../../../docs/guide/src/images");
 
@@ -69,3 +72,19 @@ test("fault", () => shoot("explorer-fault", "tab=file", {
   },
   narrow: (page) => page.getByRole("tablist").evaluate((bar) => bar.scrollIntoView()),
 }));
+
+test("report", async () => {
+  const file = join(mkdtempSync(join(tmpdir(), "eigenbody-shots-")), "g1.html");
+  // By its own name, whatever folder it is in.
+  execFileSync(command(), ["report", basename(g1()), "-o", file], { cwd: dirname(g1()), stdio: "ignore" });
+  const session = await Session.start(pathToFileURL(file).href, { colorScheme: "light" });
+  try {
+    const page = await session.page();
+    await page.setViewportSize({ width: 820, height: 800 });
+    // Down to the first robot.
+    const { y, height } = (await page.locator("figure").first().boundingBox())!;
+    await page.screenshot({ path: join(folder, "report.png"), fullPage: true, clip: { x: 0, y: 0, width: 820, height: y + height } });
+  } finally {
+    await session.stop();
+  }
+});

@@ -11,7 +11,8 @@ use eigenbody::search::Effort;
 use eigenbody_report::DiagnosisReport;
 use eigenbody_study::diagnosis::{Drive, Question, diagnose};
 use serde::Deserialize;
-use std::sync::Arc;
+use std::ops::ControlFlow;
+use std::sync::{Arc, Weak};
 
 /// Most configurations sampled.
 const SAMPLES: u32 = 8192;
@@ -25,12 +26,17 @@ pub struct Request {
     seed: Option<u32>,
 }
 
+/// Ends with its asker: who lets go of the connection wants no more.
 pub async fn check(State(explorer): State<Arc<Explorer>>, Asked(request): Asked<Request>) -> Answer {
     let id = request.id.clone();
-    ask(&explorer, Pace::Long, &id, move |robot| examined(robot, &request)).await
+    let asker = Arc::new(());
+    let waiting = Arc::downgrade(&asker);
+    let answer = ask(&explorer, Pace::Long, &id, move |robot| examined(robot, &request, &waiting)).await;
+    drop(asker);
+    answer
 }
 
-fn examined(robot: &Robot, request: &Request) -> Result<DiagnosisReport, Refusal> {
+fn examined(robot: &Robot, request: &Request, asker: &Weak<()>) -> Result<DiagnosisReport, Refusal> {
     let rows = robot.rows.len();
     if rows > EXAMINED {
         let message = format!(
@@ -47,6 +53,9 @@ fn examined(robot: &Robot, request: &Request) -> Result<DiagnosisReport, Refusal
     let metric = super::evaluate::metric(request.metric.as_deref())?;
     let drive = Drive::of(&robot.loaded);
     let question = Question { reduction: robot.reduction, metric, effort, drive, ..Question::default() };
-    let found = diagnose(robot.model(), &question, |_| ())?;
+    let found = diagnose(robot.model(), &question, |_| match asker.strong_count() {
+        0 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    })?;
     Ok(DiagnosisReport::of(&robot.loaded.name, &robot.loaded, &found))
 }

@@ -18,6 +18,7 @@ use crate::model::Model;
 use crate::spectrum::sturm::{Diagonal, Pencil};
 use crate::spectrum::{Metric, Precision, extreme_values};
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// Up to so many degrees of freedom a dense matrix in lanes is faster than counts on the tree.
 const LARGEST_DENSE: usize = 96;
@@ -25,6 +26,14 @@ const LARGEST_DENSE: usize = 96;
 const ACCURACY: f64 = 1e-9;
 /// Samples between two reports of progress.
 const AT_ONCE: usize = 512;
+
+/// Tells of configurations that are evaluated; an error where no more are wanted.
+pub(super) fn tell(progress: &impl Fn(usize) -> ControlFlow<()>, evaluated: usize) -> Result<(), Error> {
+    match progress(evaluated) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Error::Interrupted),
+    }
+}
 
 /// Measures a robot in one configuration after another.
 #[derive(Debug, Clone)]
@@ -95,22 +104,21 @@ impl<'m> Evaluator<'m> {
         })
     }
 
-    /// The measures at each of many q, on all cores; tells `progress` how many more are done.
+    /// The measures at each of many q, on all cores; tells `progress` how many more are done, and ends if it breaks.
     ///
     /// Method: [`Batch::conditioning`] where all degrees of freedom take part and H is small; else [`values`](Self::values), one by one.
     ///
-    /// Errors: as [`values`](Self::values), of the first q that does not fit.
+    /// Errors: as [`values`](Self::values), of the first q that does not fit; [`Error::Interrupted`].
     pub fn values_of_all(
         &self,
         all: &[Vec<f64>],
-        progress: &(impl Fn(usize) + Sync),
+        progress: &(impl Fn(usize) -> ControlFlow<()> + Sync),
     ) -> Result<Vec<Values>, Error> {
         // Without a tree of counts, mimic joints follow.
         if self.reduction.base || self.tree.is_none() || self.model.nv() > LARGEST_DENSE {
             let one = |evaluator: &mut Self, q: &Vec<f64>| {
-                let values = evaluator.values(q);
-                progress(1);
-                values
+                tell(progress, 1)?;
+                evaluator.values(q)
             };
             return all.par_iter().map_init(|| self.clone(), one).collect();
         }
@@ -124,7 +132,7 @@ impl<'m> Evaluator<'m> {
                 BatchError::Shape(error) => error.into(),
                 BatchError::Configuration { error, .. } => error,
             })?;
-            progress(some.len());
+            tell(progress, some.len())?;
             values.extend(found);
         }
         Ok(values)

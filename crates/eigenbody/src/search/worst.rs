@@ -2,13 +2,14 @@
 
 use super::descent::{Landscape, descend};
 use super::domain::{Domain, Point};
-use super::evaluate::Evaluator;
+use super::evaluate::{Evaluator, tell};
 use crate::conditioning::{Measure, Values};
 use crate::dynamics::Reduction;
 use crate::error::Error;
 use crate::model::{Model, Random};
 use crate::spectrum::Metric;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// How hard to search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,16 +61,18 @@ pub struct Survey {
 /// -> BFGS descent of 1/κ, 1/κ′, λmin with exact gradients
 /// ```
 /// A measure of a robot is a lower bound on how bad it gets: searches are not proofs. Deterministic by seed and the same on any
-/// number of threads. Cost about samples · 25 sweeps, and as much for the descents.
+/// number of threads. Cost about samples · 25 sweeps, and as much for the descents. `progress` is told of configurations as they are
+/// evaluated, from any thread.
 ///
-/// Errors: [`Error`] if the metric does not fit or a floating base is missing.
+/// Errors: [`Error`] if the metric does not fit or a floating base is missing; [`Error::Interrupted`] soon after `progress` breaks.
 ///
 /// ```
 /// use eigenbody::search::{Effort, survey};
 /// use eigenbody::{Family, Metric, Reduction};
+/// use std::ops::ControlFlow::Continue;
 /// let robot = Family::hydra(3, 1.0, 0.0, 1.0)?.model::<f64>()?;
 /// let effort = Effort { samples: 256, ..Effort::default() };
-/// let found = survey(&robot, Reduction::default(), &Metric::Euclidean, effort, |_| ())?;
+/// let found = survey(&robot, Reduction::default(), &Metric::Euclidean, effort, |_| Continue(()))?;
 /// // Worst stretched out.
 /// assert!((found.spreads[0].worst / 306.059931290818 - 1.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -79,15 +82,14 @@ pub fn survey(
     reduction: Reduction,
     metric: &Metric<f64>,
     effort: Effort,
-    progress: impl Fn(usize) + Sync,
+    progress: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Survey, Error> {
     let domain = Domain::new(model, reduction.mimic);
     let evaluator = Evaluator::new(model, reduction, metric.clone())?;
     let samples = sample(&domain, &evaluator, effort, &progress)?;
     let mut evaluations = samples.len();
     let mut of = |measure| {
-        let (spread, looks) = worst(&domain, &evaluator, &samples, measure, effort)?;
-        progress(looks);
+        let (spread, looks) = worst(&domain, &evaluator, &samples, measure, effort, &progress)?;
         evaluations += looks;
         Ok::<_, Error>(spread)
     };
@@ -101,7 +103,7 @@ fn sample(
     domain: &Domain<'_>,
     evaluator: &Evaluator<'_>,
     effort: Effort,
-    progress: &(impl Fn(usize) + Sync),
+    progress: &(impl Fn(usize) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Sampled>, Error> {
     let points = sample_points(domain, effort.samples, effort.seed);
     let all: Vec<Vec<f64>> = points.par_iter().map(|point| domain.configuration(point)).collect();
@@ -135,6 +137,7 @@ fn worst(
     samples: &[Sampled],
     measure: Measure,
     effort: Effort,
+    progress: &(impl Fn(usize) -> ControlFlow<()> + Sync),
 ) -> Result<(Spread, usize), Error> {
     let mut order: Vec<usize> = (0..samples.len()).collect();
     order.sort_by(|&a, &b| samples[a].1.cost(measure).total_cmp(&samples[b].1.cost(measure)));
@@ -144,7 +147,8 @@ fn worst(
     let ends: Vec<(Point, f64, usize)> = starts
         .into_par_iter()
         .map(|start| {
-            let mut land = Ground { domain, evaluator: evaluator.clone(), measure, looks: 0, error: None };
+            let evaluator = evaluator.clone();
+            let mut land = Ground { domain, evaluator, measure, progress, looks: 0, error: None };
             let (point, values) = &samples[start];
             let found = descend(&mut land, point, effort.looks);
             match land.error {
@@ -174,21 +178,23 @@ fn worst(
 }
 
 /// The cost of a measure over the domain.
-struct Ground<'a, 'm> {
+struct Ground<'a, 'm, P> {
     domain: &'a Domain<'m>,
     evaluator: Evaluator<'m>,
     measure: Measure,
+    progress: &'a P,
     looks: usize,
     error: Option<Error>,
 }
 
-impl Landscape for Ground<'_, '_> {
+impl<P: Fn(usize) -> ControlFlow<()>> Landscape for Ground<'_, '_, P> {
     type Point = Point;
 
     fn look(&mut self, at: &Point) -> Option<(f64, Vec<f64>)> {
         self.looks += 1;
         let q = self.domain.configuration(at);
-        match self.evaluator.cost_gradient(&q, self.measure) {
+        let found = tell(self.progress, 1).and_then(|()| self.evaluator.cost_gradient(&q, self.measure));
+        match found {
             Ok(found) => found.map(|(cost, mut gradient)| {
                 self.domain.pull_back(at, &mut gradient);
                 (cost, gradient)

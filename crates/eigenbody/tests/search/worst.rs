@@ -1,6 +1,8 @@
 use crate::robots::plan;
 use eigenbody::search::{Effort, Evaluator, Measure, survey};
-use eigenbody::{Base, Family, Joint, Metric, Model, Reduction};
+use eigenbody::{Base, Error, Family, Joint, Metric, Model, Reduction};
+use std::ops::ControlFlow::{Break, Continue};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 fn quick(samples: u32) -> Effort {
     Effort { samples, starts: 6, ..Effort::default() }
@@ -9,7 +11,8 @@ fn quick(samples: u32) -> Effort {
 #[test]
 fn a_chain_is_worst_stretched_out() {
     let chain: Model<f64> = Family::hydra(10, 1.0, 0.0, 1.0).unwrap().model().unwrap();
-    let found = survey(&chain, Reduction::default(), &Metric::Euclidean, quick(256), |_| ()).unwrap();
+    let found =
+        survey(&chain, Reduction::default(), &Metric::Euclidean, quick(256), |_| Continue(())).unwrap();
     let [kappa, _, least] = &found.spreads;
     // The last digits of 1/κ at a smooth minimum: descent stops where it falls by 1e-9.
     assert!((kappa.worst / 42907.972749 - 1.0).abs() < 1e-6, "{kappa:?}");
@@ -26,7 +29,8 @@ fn no_grid_finds_much_worse() {
             (joint.kind, joint.armature) = (Joint::Revolute, Vec::new());
         }
         let model: Model<f64> = plan.build(Base::Fixed);
-        let found = survey(&model, Reduction::default(), &Metric::Euclidean, quick(256), |_| ()).unwrap();
+        let found =
+            survey(&model, Reduction::default(), &Metric::Euclidean, quick(256), |_| Continue(())).unwrap();
         let mut evaluator = Evaluator::new(&model, Reduction::default(), Metric::Euclidean).unwrap();
         const STEPS: usize = 16;
         let angle = |k: usize| std::f64::consts::TAU * (k % STEPS) as f64 / STEPS as f64;
@@ -50,7 +54,9 @@ fn the_same_by_seed_and_threads() {
     let chain: Model<f64> = Family::hydra(5, 1.5, 0.5, 0.8).unwrap().model().unwrap();
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| survey(&chain, Reduction::default(), &Metric::Euclidean, quick(64), |_| ()).unwrap())
+        pool.install(|| {
+            survey(&chain, Reduction::default(), &Metric::Euclidean, quick(64), |_| Continue(())).unwrap()
+        })
     };
     assert_eq!(run(1), run(2));
 }
@@ -71,7 +77,8 @@ fn a_singular_configuration_is_found() {
     robot.joint(JointSpec::new("roll", Joint::Revolute, light, lighter).about(Vec3::X));
     robot.joint(JointSpec::new("yaw", Joint::Revolute, lighter, head).about(Vec3::Z));
     let neck: Model<f64> = robot.build(Base::Fixed).unwrap();
-    let found = survey(&neck, Reduction::default(), &Metric::Euclidean, quick(128), |_| ()).unwrap();
+    let found =
+        survey(&neck, Reduction::default(), &Metric::Euclidean, quick(128), |_| Continue(())).unwrap();
     for spread in &found.spreads {
         let roll = spread.at[1];
         assert!(roll.sin().abs() < 1e-4, "{spread:?}");
@@ -89,9 +96,10 @@ fn many_values_are_those_of_each() {
         let reduction = Reduction { base, ..Reduction::default() };
         let mut evaluator = Evaluator::new(&tree, reduction, metric).unwrap();
         let all: Vec<Vec<f64>> = (0..70).map(|seed| tree.random(seed)).collect();
-        let told = std::sync::atomic::AtomicUsize::new(0);
+        let told = AtomicUsize::new(0);
         let count = |n| {
-            told.fetch_add(n, std::sync::atomic::Ordering::Relaxed);
+            told.fetch_add(n, Relaxed);
+            Continue(())
         };
         let found = evaluator.values_of_all(&all, &count).unwrap();
         assert_eq!(told.into_inner(), 70);
@@ -104,6 +112,24 @@ fn many_values_are_those_of_each() {
         }
         let mut bad = all.clone();
         bad[3][0] = f64::NAN;
-        assert!(evaluator.values_of_all(&bad, &|_| ()).is_err());
+        assert!(evaluator.values_of_all(&bad, &|_| Continue(())).is_err());
+    }
+}
+
+/// Among the samples of a small robot, of one without lanes, and among the descents.
+#[test]
+fn a_search_ends_when_it_is_told_to() {
+    let chain: Model<f64> = Family::hydra(10, 1.0, 0.0, 1.0).unwrap().model().unwrap();
+    let large: Model<f64> = Family::hydra(100, 1.0, 0.0, 1.0).unwrap().model().unwrap();
+    for (model, after) in [(&chain, 0), (&large, 5), (&chain, 300)] {
+        let told = AtomicUsize::new(0);
+        let few = |n| match told.fetch_add(n, Relaxed) + n > after {
+            true => Break(()),
+            false => Continue(()),
+        };
+        let found = survey(model, Reduction::default(), &Metric::Euclidean, quick(256), few);
+        assert_eq!(found, Err(Error::Interrupted));
+        // A descent asks a few times more before it gives up.
+        assert!(told.into_inner() < after + 512, "{after}");
     }
 }

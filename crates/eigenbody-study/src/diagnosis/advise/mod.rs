@@ -25,6 +25,7 @@ use eigenbody::stability::{Impedance, Integrator, Spring};
 use eigenbody::{InputError, Metric, Model, Question, Reduction, conditioning_at};
 use programme::Programme;
 use remedy::Remedy;
+use std::ops::ControlFlow;
 
 /// Searches for the worst of the mended robot.
 const SEARCHES: usize = 40;
@@ -257,7 +258,8 @@ impl<'a> Judge<'a> {
         let reduction = self.wish.reduction;
         let measure = match self.wish.goal {
             Goal::Step(_, integrator) => {
-                let found = survey(model, reduction, &Metric::Euclidean, effort, |_| ())?;
+                let found =
+                    survey(model, reduction, &Metric::Euclidean, effort, |_| ControlFlow::Continue(()))?;
                 let known: Vec<Vec<f64>> = found.spreads.into_iter().map(|spread| spread.at).collect();
                 let (step, at) = worst_step(model, reduction, &self.impedance, integrator, effort, &known)?;
                 return Ok((if at.is_empty() { model.neutral() } else { at }, step));
@@ -265,7 +267,7 @@ impl<'a> Judge<'a> {
             Goal::Kappa(_) => Measure::Kappa,
             Goal::LambdaMin(_) => Measure::LambdaMin,
         };
-        let found = survey(model, reduction, &Metric::Euclidean, effort, |_| ())?;
+        let found = survey(model, reduction, &Metric::Euclidean, effort, |_| ControlFlow::Continue(()))?;
         let spread = found.spreads.into_iter().find(|spread| spread.measure == measure);
         Ok(spread.map_or_else(|| (model.neutral(), f64::NAN), |spread| (spread.at, spread.worst)))
     }

@@ -1,7 +1,7 @@
 /** The server's endpoints as functions. */
 
 import type {
-  Check, Description, Edits, Evaluation, Figure, KappaMap, Options, Patch, PatchFormat, Path, Problem, Source, Start, Swing, Want,
+  Check, Description, Edits, Evaluation, Figure, KappaMap, Options, Patch, PatchFormat, Path, Problem, Source, Start, Swing, Triangles, Want,
 } from "./types";
 
 /** An answer that says what is wrong, and where. */
@@ -65,22 +65,27 @@ export class Client {
     return this.call("POST", "map", { id, ...question });
   }
 
-  check(id: string, metric: string): Promise<Check> {
-    return this.call("POST", "check", { id, metric });
+  /** The server stops working on it when `signal` is aborted. */
+  check(id: string, metric: string, signal: AbortSignal): Promise<Check> {
+    return this.call("POST", "check", { id, metric }, signal);
   }
 
   patch(id: string, format: PatchFormat): Promise<Patch> {
     return this.call("POST", "patch", { id, format });
   }
 
+  mesh(k: number): Promise<Triangles> {
+    return this.call("GET", `mesh/${k}`);
+  }
+
   figure(id: string): Promise<Figure> {
     return this.call("GET", `figure/${encodeURIComponent(id)}`);
   }
 
-  private async call<Answer>(method: "GET" | "POST", path: string, body?: object): Promise<Answer> {
+  private async call<Answer>(method: "GET" | "POST", path: string, body?: object, signal: AbortSignal | null = null): Promise<Answer> {
     const headers: Record<string, string> = { "X-Eigenbody-Token": this.token };
     if (body) headers["Content-Type"] = "application/json";
-    const request: RequestInit = body ? { method, headers, body: JSON.stringify(body) } : { method, headers };
+    const request: RequestInit = body ? { method, headers, signal, body: JSON.stringify(body) } : { method, headers, signal };
     const answer = await fetch(`/api/${path}`, request).catch(() => {
       throw new ApiError({ code: "gone-away", message: "the server does not answer: is `eigenbody serve` still running?" });
     });

@@ -57,13 +57,18 @@ export interface Start {
   limits: { dofs: number; text: number };
 }
 
-export type ShapeKind = "box" | "sphere" | "cylinder" | "capsule" | "ellipsoid" | "mesh";
+export type ShapeKind = "box" | "sphere" | "cylinder" | "capsule" | "ellipsoid" | "plane" | "mesh";
 
 export interface Shape {
   kind: ShapeKind;
   size: number[];
   pose: Pose;
   mesh?: number;
+}
+
+export interface Triangles {
+  positions: number[];
+  indices: number[];
 }
 
 export interface Body {
@@ -128,7 +133,7 @@ export interface Description {
   extent: number;
   can: { float: boolean; mimic: boolean; rotors: boolean };
   bodies: Body[];
-  meshes: { positions: number[]; indices: number[] }[];
+  still: Shape[];
   dofs: Dof[];
   rows: number[];
   joints: Joint[];

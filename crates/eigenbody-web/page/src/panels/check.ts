@@ -1,28 +1,36 @@
 /** `eigenbody check` over all that the joint limits allow. */
 
 import type { Check, CheckFinding } from "../api/types";
-import { button, h } from "../dom";
+import { button, h, write } from "../dom";
 import type { Explorer } from "../explorer";
 import { shown } from "../math/number";
 
 const NAMES = { kappa: "κ", kappa_weighted: "κ′", lambda_min: "λmin" };
 
+const RUN = "Check all that the joint limits allow";
+
 export function check(explorer: Explorer, found: (findings: CheckFinding[]) => void): HTMLElement {
   const status = h("p", { class: "small soft", role: "status" });
   const worst = h("div", { class: "scroll" });
-  const run = button("Check all that the joint limits allow", () => void go());
+  const run = button(RUN, () => (running ? running.abort() : void go()));
+  let running: AbortController | null = null;
   const go = async () => {
     const { model } = explorer;
     if (!model) return;
-    run.disabled = true;
-    status.textContent = "Searching for the worst configurations…";
+    const { signal } = (running = new AbortController());
+    write(run, "Cancel the check");
+    write(status, "Searching for the worst configurations…");
     await explorer.attempt(async () => {
-      const report = await explorer.client.check(model.id, explorer.state.metric);
-      if (explorer.model?.id !== model.id) return;
-      show(report);
+      const report = await explorer.client.check(model.id, explorer.state.metric, signal).catch((error: unknown) => {
+        if (signal.aborted) return null;
+        throw error;
+      });
+      if (report) show(report);
+      else if (explorer.model?.id === model.id) write(status, "Cancelled.");
     });
-    run.disabled = false;
-    if (status.textContent?.endsWith("…")) status.textContent = "";
+    running = null;
+    write(run, RUN);
+    if (status.textContent?.endsWith("…")) write(status, "");
   };
   const show = (report: Check) => {
     const count = report.findings.length;
@@ -35,6 +43,7 @@ export function check(explorer: Explorer, found: (findings: CheckFinding[]) => v
     found(report.findings);
   };
   explorer.on("model", () => {
+    running?.abort();
     status.textContent = "";
     worst.replaceChildren();
     found([]);

@@ -3,7 +3,7 @@
 import { Matrix4, Vector3 } from "three";
 import type { Description } from "../api/types";
 import { cssColour } from "../theme";
-import { arcPoints, axisLength } from "./arc";
+import { arcPoints, arrowSize, axisLength } from "./arc";
 import { matrix, placed } from "./frames";
 import type { Hit, Painter } from "./painter";
 import type { Picture } from "./picture";
@@ -91,8 +91,8 @@ class FlatPainter implements Painter {
     if (overlays.has("arrows")) {
       for (const { origin, direction, slides, rate } of picture.arrows) {
         const towards = rate < 0 ? direction.clone().negate() : direction;
-        const size = scale * Math.sqrt(Math.abs(rate));
-        const points = slides ? [origin, origin.clone().addScaledVector(towards, 0.4 * size)] : arcPoints(origin, towards, 0.17 * size);
+        const size = scale * arrowSize(picture.axes.length) * Math.sqrt(Math.abs(rate));
+        const points = slides ? [origin, origin.clone().addScaledVector(towards, 2.4 * size)] : arcPoints(origin, towards, size);
         this.segment(points, picture.arrowColour, 2.5);
         this.head(points, picture.arrowColour);
       }

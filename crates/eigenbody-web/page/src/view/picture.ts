@@ -40,7 +40,7 @@ export interface Picture {
 /** Arrows below this part of the largest are not drawn. */
 const FAINTEST = 0.03;
 /** Most arrows. */
-const ARROWS = 48;
+export const ARROWS = 48;
 
 /** Axes of an evaluation as they stand in the frames of their bodies, to be carried along by a motion. */
 export function carried(model: Description, evaluation: Evaluation): Axis[] {

@@ -3,34 +3,29 @@
 import {
   BoxGeometry, BufferGeometry, CapsuleGeometry, CylinderGeometry, Float32BufferAttribute, Group, Mesh, MeshLambertMaterial, SphereGeometry,
 } from "three";
-import type { Description, Shape } from "../api/types";
+import type { Shape, Triangles } from "../api/types";
 import { matrix } from "./frames";
 
-export function shapeGroups(model: Description): Group[] {
-  const meshes = new Map<number, BufferGeometry>();
-  const mesh = (k: number) => {
-    const found = meshes.get(k) ?? meshGeometry(model, k);
-    meshes.set(k, found);
-    return found;
-  };
-  return model.bodies.map((body, k) => {
-    const group = new Group();
-    group.matrixAutoUpdate = false;
-    if (body.shapes.length === 0) return group;
-    const material = new MeshLambertMaterial();
-    for (const shape of body.shapes) {
-      const part = new Mesh(shape.kind === "mesh" ? mesh(shape.mesh ?? 0) : primitive(shape), material);
-      part.userData["body"] = k;
-      part.matrixAutoUpdate = false;
-      part.matrix.copy(matrix(shape.pose));
-      if (shape.kind === "mesh") part.matrix.scale(part.scale.set(shape.size[0] ?? 1, shape.size[1] ?? 1, shape.size[2] ?? 1));
-      group.add(part);
+/** Shapes that move together; `body` is what a pointer finds in them. `bring` is asked for the triangles of a mesh. */
+export function shapeGroup(shapes: readonly Shape[], body: number | null, bring: (mesh: number, part: Mesh) => void): Group {
+  const group = new Group();
+  group.matrixAutoUpdate = false;
+  const material = new MeshLambertMaterial();
+  for (const shape of shapes) {
+    const part = new Mesh(primitive(shape), material);
+    part.userData["body"] = body;
+    part.matrixAutoUpdate = false;
+    part.matrix.copy(matrix(shape.pose));
+    if (shape.mesh !== undefined) {
+      part.matrix.scale(part.scale.set(shape.size[0] ?? 1, shape.size[1] ?? 1, shape.size[2] ?? 1));
+      bring(shape.mesh, part);
     }
-    return group;
-  });
+    group.add(part);
+  }
+  return group;
 }
 
-/** Colours a whole body. */
+/** Colours a whole group. */
 export function tint(group: Group, colour: number): void {
   const part = group.children[0] as Mesh<BufferGeometry, MeshLambertMaterial> | undefined;
   part?.material.color.setHex(colour);
@@ -42,6 +37,8 @@ function primitive({ kind, size }: Shape): BufferGeometry {
   switch (kind) {
     case "box":
       return new BoxGeometry(2 * a, 2 * b, 2 * c);
+    case "sphere":
+      return new SphereGeometry(a, 20, 14);
     case "cylinder":
       return new CylinderGeometry(a, a, 2 * b, 24).rotateX(Math.PI / 2);
     case "capsule":
@@ -49,17 +46,13 @@ function primitive({ kind, size }: Shape): BufferGeometry {
     case "ellipsoid":
       return new SphereGeometry(1, 20, 14).scale(a, b, c);
     default:
-      return new SphereGeometry(a, 20, 14);
+      return new BufferGeometry();
   }
 }
 
-function meshGeometry(model: Description, k: number): BufferGeometry {
-  const geometry = new BufferGeometry();
-  const mesh = model.meshes[k];
-  if (!mesh) return geometry;
-  geometry.setAttribute("position", new Float32BufferAttribute(mesh.positions, 3));
-  geometry.setIndex(mesh.indices);
-  // Facets as they are: vertices are shared between faces of any angle.
+/** Facets as they are: vertices are shared between faces of any angle. */
+export function faceted({ positions, indices }: Triangles): BufferGeometry {
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(positions, 3)).setIndex(indices);
   const facets = geometry.toNonIndexed();
   facets.computeVertexNormals();
   return facets;

@@ -19,6 +19,10 @@ const KEYS: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRigh
 
 /** How long nothing must move before edges are smoothed (ms). */
 const REST = 200;
+/** Of the time that a drawing keeps the page waiting, the part that the page then has for all else. */
+const RESPITE = 0.5;
+/** The longest that a drawing is taken to last (ms): a page in the background is not slow, but asleep. */
+const SLOWEST = 100;
 
 export class Stage {
   readonly element: HTMLElement;
@@ -34,12 +38,14 @@ export class Stage {
   private due = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private before = 0;
+  /** When the next drawing may begin (ms). */
+  private free = 0;
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private grabbed: { hit: Hit; joint: number; local: [number, number, number] } | null = null;
 
   constructor(private readonly explorer: Explorer) {
     this.canvas = stageCanvas();
-    const gl = glPainter(this.canvas);
+    const gl = glPainter(this.canvas, (k) => explorer.client.mesh(k), () => this.draw());
     if (!gl) {
       // A canvas that was asked for WebGL is lost to everything else.
       const fresh = stageCanvas();
@@ -65,16 +71,27 @@ export class Stage {
     });
   }
 
-  /** Draws before the next frame is shown, and once more, finely, when nothing has moved for a while. */
+  /**
+   * Draws before the next frame is shown, or a little later where drawing is slow; once more, finely, when nothing has moved for a while.
+   *
+   * What changes until then is drawn together.
+   */
   draw(): void {
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => requestAnimationFrame((now) => this.frame(now, true)), REST);
     if (this.due) return;
     this.due = true;
-    requestAnimationFrame((now) => {
+    const next = () => requestAnimationFrame((now) => {
       this.due = false;
+      const begun = performance.now();
       this.frame(now, false);
+      // A browser without a graphics processor draws after this, with the page standing still.
+      setTimeout(() => (this.free = begun + (1 + RESPITE) * Math.min(SLOWEST, performance.now() - begun)));
+      clearTimeout(this.rest);
+      this.rest = setTimeout(() => requestAnimationFrame((then) => this.due || this.frame(then, true)), REST);
     });
+    const pause = this.free - performance.now();
+    if (pause > 1) setTimeout(next, pause);
+    else next();
   }
 
   private load(): void {
@@ -151,7 +168,9 @@ export class Stage {
   }
 
   private look(eye: typeof this.eye.state): void {
-    this.explorer.update({ eye: rounded(eye) }, "view");
+    // Two fingers may move before the next drawing: each goes on from where the other has left the camera.
+    this.eye.state = rounded(eye);
+    this.explorer.update({ eye: this.eye.state }, "view");
   }
 
   private place(event: PointerEvent): { x: number; y: number } {
