@@ -7,6 +7,7 @@ use eigenbody_formats::{FormatError, Kind, LoadOptions, Loaded, family, load, lo
 use eigenbody_study::explore::{self, edited};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// Most degrees of freedom, and most links of a family. A page draws them all; the command line has no such limit.
 pub const MOST: usize = 2048;
@@ -227,7 +228,12 @@ fn read(source: &Source, file: Option<&str>, options: &LoadOptions) -> Result<Lo
         Source { family: None, builtin: None, opened: true, text: None, name: None } => match file {
             Some(file) => {
                 let text_of = |file: &str| std::fs::read_to_string(file).ok();
-                load(file, options).map_err(|error| Refusal::model(&error, text_of))
+                let mut loaded = load(file, options).map_err(|error| Refusal::model(&error, text_of))?;
+                // What it is called on the page; where it stands is nobody's business there.
+                if let Some(name) = Path::new(file).file_name() {
+                    loaded.name = name.to_string_lossy().into_owned();
+                }
+                Ok(loaded)
             }
             None => Err(Refusal::input("the server was started without a file")),
         },

@@ -237,7 +237,7 @@ fn the_file_that_was_named_is_opened() {
     let start = server.get("/api/start", &[]).json();
     assert_eq!(start["source"], json!({ "opened": true }));
     let described = server.model(&start["source"]);
-    assert_eq!(described["bodies"][0]["link"], "secret");
+    assert_eq!((&described["bodies"][0]["link"], &described["name"]), (&json!("secret"), &json!("arm.xml")));
     // A fault that has come into it is shown with its lines.
     std::fs::write(files.path("arm.xml"), "<mujoco>\n  <bodies/>\n</mujoco>").unwrap();
     let reply = server.post("/api/model", &json!({ "source": { "opened": true } }));
