@@ -107,7 +107,7 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         let Self { model, q, workspace, H } = self;
         H.fill(T::ZERO);
-        crba::<S, _>(model, q, workspace, H);
+        crba::<T, S>(model, q, workspace, H);
     }
     #[inline(always)]
     fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
@@ -120,40 +120,20 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
     }
 }
 
-/// Where the entries of H go, each once, those below the diagonal only.
-pub(crate) trait Entries<T> {
-    /// H_de.
-    fn put(&mut self, d: usize, e: usize, H_de: T);
-    /// H_de for several d; none for slots that are [`EMPTY`].
-    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[T]);
-}
-
-impl<T: Real> Entries<T> for Matrix<T> {
-    #[inline(always)]
-    fn put(&mut self, d: usize, e: usize, H_de: T) {
-        self[(d, e)] = H_de;
-        self[(e, d)] = H_de;
-    }
-    #[inline(always)]
-    fn put_all(&mut self, dofs: &[u32], e: usize, H_e: &[T]) {
-        let (n, data) = (self.cols(), self.as_mut_slice());
-        for (&d, &H_de) in dofs.iter().zip(H_e) {
-            if d != EMPTY {
-                let d = d as usize;
-                data[e * n + d] = H_de;
-                data[d * n + e] = H_de;
-            }
-        }
-    }
+/// H_de on both sides of the diagonal.
+#[inline(always)]
+fn put<T: Real>(H: &mut Matrix<T>, d: usize, e: usize, H_de: T) {
+    H[(d, e)] = H_de;
+    H[(e, d)] = H_de;
 }
 
 /// Position pass and the loop over bodies. Entries between branches are not put.
 #[inline(always)]
-pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
-    model: &Model<S::Constant>,
-    q: &[S::Stored],
-    CrbaWorkspace { posture, Ic, F, .. }: &mut CrbaWorkspace<S::Stored>,
-    H: &mut H,
+fn crba<T: Real, S: Scalar<Constant = T, Stored = T>>(
+    model: &Model<T>,
+    q: &[T],
+    CrbaWorkspace { posture, Ic, F, .. }: &mut CrbaWorkspace<T>,
+    H: &mut Matrix<T>,
 ) {
     let Mechanism { members, slots, .. } = &model.mechanism;
     posture.update_shape::<S>(&model.mechanism, q);
@@ -162,7 +142,7 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
         if !m.place.leaf {
             Ic_i += Ic[m.level as usize].map(S::load);
         }
-        own_block::<S, H>(model, posture, m, Ic_i, F, H);
+        own_block::<T, S>(model, posture, m, Ic_i, F, H);
         if m.parent == 0 {
             continue;
         }
@@ -184,7 +164,7 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
                 X.transpose_pseudo(Ic_i)
             }
         };
-        put_rows::<S, H>(posture, slots, m, &members[m.parent as usize - 1], F, H);
+        put_rows::<T, S>(posture, slots, m, &members[m.parent as usize - 1], F, H);
         let sum = &mut Ic[m.level as usize - 1];
         if !m.place.last {
             up += sum.map(S::load);
@@ -195,25 +175,25 @@ pub(crate) fn crba<S: Scalar, H: Entries<S::Stored>>(
 
 /// The entries among a body's own degrees of freedom; each F = Ic S_d into its slot.
 #[inline(always)]
-fn own_block<S: Scalar, H: Entries<S::Stored>>(
-    model: &Model<S::Constant>,
-    posture: &Posture<S::Stored>,
-    m: &Member<S::Constant>,
+fn own_block<T: Real, S: Scalar<Constant = T, Stored = T>>(
+    model: &Model<T>,
+    posture: &Posture<T>,
+    m: &Member<T>,
     Ic: PseudoInertia<S>,
-    F: &mut [Vec<S::Stored>; ROWS],
-    H: &mut H,
+    F: &mut [Vec<T>; ROWS],
+    H: &mut Matrix<T>,
 ) {
     let d = m.v0 as usize;
     let armature = |d: usize| S::constant(model.armature[d]);
     match m.motion {
         MotionKind::Hinge => {
             let F_d = Ic.times_ang_z();
-            H.put(d, d, (F_d.ang.z + armature(d)).store());
+            put(H, d, d, (F_d.ang.z + armature(d)).store());
             put_column::<S>(F, m.slots.start as usize, F_d);
         }
         MotionKind::Slide => {
             let F_d = Ic.times_lin_z();
-            H.put(d, d, (F_d.lin.z + armature(d)).store());
+            put(H, d, d, (F_d.lin.z + armature(d)).store());
             put_column::<S>(F, m.slots.start as usize, F_d);
         }
         MotionKind::Other => {
@@ -223,9 +203,9 @@ fn own_block<S: Scalar, H: Entries<S::Stored>>(
                 let S_d = posture.S[d].map(S::load);
                 let F_d = Ic.times(S_d);
                 for (e, &before) in (m.v0 as usize..d).zip(m.joint.columns()) {
-                    H.put(d, e, before.along(posture.S[e].map(S::load), F_d).store());
+                    put(H, d, e, before.along(posture.S[e].map(S::load), F_d).store());
                 }
-                H.put(d, d, (column.along(S_d, F_d) + armature(d)).store());
+                put(H, d, d, (column.along(S_d, F_d) + armature(d)).store());
                 put_column::<S>(F, m.slots.start as usize + k, F_d);
             }
         }
@@ -270,13 +250,13 @@ fn carry<S: Scalar, R: Rotation<S::Columns>>(
 
 /// The entries of a subtree's columns at the degrees of freedom of the body that carries it.
 #[inline(always)]
-fn put_rows<S: Scalar, H: Entries<S::Stored>>(
-    posture: &Posture<S::Stored>,
+fn put_rows<T: Real, S: Scalar<Constant = T, Stored = T>>(
+    posture: &Posture<T>,
     slots: &[u32],
-    m: &Member<S::Constant>,
-    carrier: &Member<S::Constant>,
-    F: &mut [Vec<S::Stored>; ROWS],
-    H: &mut H,
+    m: &Member<T>,
+    carrier: &Member<T>,
+    F: &mut [Vec<T>; ROWS],
+    H: &mut Matrix<T>,
 ) {
     let range = m.slots.start as usize..m.slots.end as usize;
     for (e, &column) in (carrier.v0 as usize..).zip(carrier.joint.columns()) {
@@ -284,7 +264,14 @@ fn put_rows<S: Scalar, H: Entries<S::Stored>>(
             product::<S>(F, range.clone(), posture.S[e].map(S::load));
             ROWS - 1
         });
-        H.put_all(&slots[range.clone()], e, &F[place][range.clone()]);
+        let (n, data) = (H.cols(), H.as_mut_slice());
+        for (&d, &H_de) in slots[range.clone()].iter().zip(&F[place][range.clone()]) {
+            if d != EMPTY {
+                let d = d as usize;
+                data[e * n + d] = H_de;
+                data[d * n + e] = H_de;
+            }
+        }
     }
 }
 
