@@ -24,21 +24,26 @@ pub(crate) struct Packed<S> {
     n: usize,
     /// Lower triangle by rows. Overwritten.
     pub A: Vec<S>,
-    /// n each: the reflection that waits to be applied, u and w, and that in the making, v and y.
-    u: Vec<S>,
-    w: Vec<S>,
-    v: Vec<S>,
-    y: Vec<S>,
+    /// n: all that belongs to a row is fetched from one place.
+    rows: Vec<Row<S>>,
     /// Diagonal and squares of the subdiagonal (the first is zero) of the tridiagonal matrix.
     T: Vec<(S, S)>,
+}
+
+/// Of the reflection that waits to be applied, u and w; of that in the making, v and y.
+#[derive(Debug, Clone, Copy)]
+struct Row<S> {
+    u: S,
+    w: S,
+    v: S,
+    y: S,
 }
 
 impl<S: Scalar> Packed<S> {
     /// Room for matrices of n rows.
     pub fn new(n: usize) -> Self {
-        let row = vec![S::ZERO; n];
-        let A = vec![S::ZERO; n * (n + 1) / 2];
-        Self { n, A, u: row.clone(), w: row.clone(), v: row.clone(), y: row, T: vec![(S::ZERO, S::ZERO); n] }
+        let row = Row { u: S::ZERO, w: S::ZERO, v: S::ZERO, y: S::ZERO };
+        Self { n, A: vec![S::ZERO; n * (n + 1) / 2], rows: vec![row; n], T: vec![(S::ZERO, S::ZERO); n] }
     }
 
     /// λmin and λmax of the matrices in `A`, of one row at least.
@@ -57,16 +62,16 @@ impl<S: Scalar> Packed<S> {
     /// Householder reduction; returns a bound on the largest eigenvalue.
     #[inline(always)]
     fn reduce(&mut self) -> S {
-        let Self { n, A, u, w, v, y, T } = self;
+        let Self { n, A, rows, T } = self;
         let (mut bound, mut outer) = (S::ZERO, S::ZERO);
         let mut waits = false;
         for i in (0..*n).rev() {
             let (above, row) = A.split_at_mut(i * (i + 1) / 2);
             let row = &mut row[..i + 1];
             if waits {
-                let (u_i, w_i) = (-u[i], -w[i]);
-                for ((a, &u), &w) in row.iter_mut().zip(&u[..i + 1]).zip(&w[..i + 1]) {
-                    *a = w_i.mul_add(u, u_i.mul_add(w, *a));
+                let (u_i, w_i) = (-rows[i].u, -rows[i].w);
+                for (a, Row { u, w, .. }) in row.iter_mut().zip(&rows[..i + 1]) {
+                    *a = w_i.mul_add(*u, u_i.mul_add(*w, *a));
                 }
             }
             let diagonal = row[i];
@@ -85,20 +90,22 @@ impl<S: Scalar> Packed<S> {
                 continue;
             }
             let alpha = S::ZERO.select_lt(last, -norm, norm);
-            let (v, y) = (&mut v[..i], &mut y[..i]);
-            v.copy_from_slice(x);
-            v[i - 1] = last - alpha;
+            let rows = &mut rows[..i];
+            for (row, &x) in rows.iter_mut().zip(x) {
+                row.v = x;
+            }
+            rows[i - 1].v = last - alpha;
             let h = square - last * alpha;
             let h_inverse = S::ZERO.select_lt(h, S::ONE / h, S::ZERO);
             if waits {
-                pass::<true, S>(above, &u[..i], &w[..i], v, y);
+                pass::<true, S>(above, rows);
             } else {
-                pass::<false, S>(above, &u[..i], &w[..i], v, y);
+                pass::<false, S>(above, rows);
             }
             // w = A v/h − K v, K = vᵀ A v/2h²
-            let K = dot(v, y) * (h_inverse * h_inverse) * S::from_f64(-0.5);
-            for (((u, w), &v), &y) in u.iter_mut().zip(w.iter_mut()).zip(&*v).zip(&*y) {
-                (*u, *w) = (v, K.mul_add(v, y * h_inverse));
+            let K = along(rows) * (h_inverse * h_inverse) * S::from_f64(-0.5);
+            for Row { u, w, v, y } in rows {
+                (*u, *w) = (*v, K.mul_add(*v, *y * h_inverse));
             }
             waits = true;
         }
@@ -119,55 +126,69 @@ fn dot<S: Scalar>(x: &[S], y: &[S]) -> S {
     even + odd
 }
 
+/// vᵀ y, in two sums.
+#[inline(always)]
+fn along<S: Scalar>(rows: &[Row<S>]) -> S {
+    let (mut even, mut odd) = (S::ZERO, S::ZERO);
+    for rows in rows.chunks(2) {
+        even = rows[0].v.mul_add(rows[0].y, even);
+        if rows.len() == 2 {
+            odd = rows[1].v.mul_add(rows[1].y, odd);
+        }
+    }
+    even + odd
+}
+
 /// A −= u wᵀ + w uᵀ where that waits, and y = A v; two rows at once, so that sums are fetched and put back half as often.
 #[inline(always)]
-fn pass<const WAITS: bool, S: Scalar>(A: &mut [S], u: &[S], w: &[S], v: &[S], y: &mut [S]) {
-    let n = v.len();
+fn pass<const WAITS: bool, S: Scalar>(A: &mut [S], rows: &mut [Row<S>]) {
+    let n = rows.len();
     let (mut rest, mut j) = (A, 0);
     while j + 1 < n {
         let (first, after) = std::mem::take(&mut rest).split_at_mut(j + 1);
         let (second, after) = after.split_at_mut(j + 2);
         rest = after;
-        let ((u0, w0, v0), (u1, w1, v1)) = ((-u[j], -w[j], v[j]), (-u[j + 1], -w[j + 1], v[j + 1]));
+        let (before, own) = rows.split_at_mut(j);
+        let ((u0, w0, v0), (u1, w1, v1)) =
+            ((-own[0].u, -own[0].w, own[0].v), (-own[1].u, -own[1].w, own[1].v));
         let (mut y0, mut y1) = (S::ZERO, S::ZERO);
-        let columns = u[..j].iter().zip(&w[..j]).zip(&v[..j]).zip(&mut y[..j]);
-        for ((a0, a1), (((&u, &w), &v), y)) in first[..j].iter_mut().zip(&mut second[..j]).zip(columns) {
+        for ((a0, a1), Row { u, w, v, y }) in first[..j].iter_mut().zip(&mut second[..j]).zip(before) {
             if WAITS {
-                *a0 = w0.mul_add(u, u0.mul_add(w, *a0));
-                *a1 = w1.mul_add(u, u1.mul_add(w, *a1));
+                *a0 = w0.mul_add(*u, u0.mul_add(*w, *a0));
+                *a1 = w1.mul_add(*u, u1.mul_add(*w, *a1));
             }
-            y0 = a0.mul_add(v, y0);
-            y1 = a1.mul_add(v, y1);
+            y0 = a0.mul_add(*v, y0);
+            y1 = a1.mul_add(*v, y1);
             *y = a1.mul_add(v1, a0.mul_add(v0, *y));
         }
         let (mut a00, mut a10, mut a11) = (first[j], second[j], second[j + 1]);
         if WAITS {
             let two = S::from_f64(2.0);
-            a00 = (two * u0).mul_add(w[j], a00);
-            a10 = w1.mul_add(u[j], u1.mul_add(w[j], a10));
-            a11 = (two * u1).mul_add(w[j + 1], a11);
+            a00 = (two * u0).mul_add(own[0].w, a00);
+            a10 = w1.mul_add(own[0].u, u1.mul_add(own[0].w, a10));
+            a11 = (two * u1).mul_add(own[1].w, a11);
             (first[j], second[j], second[j + 1]) = (a00, a10, a11);
         }
-        y[j] = a10.mul_add(v1, a00.mul_add(v0, y0));
-        y[j + 1] = a11.mul_add(v1, a10.mul_add(v0, y1));
+        own[0].y = a10.mul_add(v1, a00.mul_add(v0, y0));
+        own[1].y = a11.mul_add(v1, a10.mul_add(v0, y1));
         j += 2;
     }
     if j < n {
         let row = &mut rest[..j + 1];
-        let (u0, w0, v0) = (-u[j], -w[j], v[j]);
+        let (before, own) = rows.split_at_mut(j);
+        let (u0, w0, v0) = (-own[0].u, -own[0].w, own[0].v);
         let mut y0 = S::ZERO;
-        let columns = u[..j].iter().zip(&w[..j]).zip(&v[..j]).zip(&mut y[..j]);
-        for (a0, (((&u, &w), &v), y)) in row[..j].iter_mut().zip(columns) {
+        for (a0, Row { u, w, v, y }) in row[..j].iter_mut().zip(before) {
             if WAITS {
-                *a0 = w0.mul_add(u, u0.mul_add(w, *a0));
+                *a0 = w0.mul_add(*u, u0.mul_add(*w, *a0));
             }
-            y0 = a0.mul_add(v, y0);
+            y0 = a0.mul_add(*v, y0);
             *y = a0.mul_add(v0, *y);
         }
         if WAITS {
-            row[j] = (S::from_f64(2.0) * u0).mul_add(w[j], row[j]);
+            row[j] = (S::from_f64(2.0) * u0).mul_add(own[0].w, row[j]);
         }
-        y[j] = row[j].mul_add(v0, y0);
+        own[0].y = row[j].mul_add(v0, y0);
     }
 }
 
