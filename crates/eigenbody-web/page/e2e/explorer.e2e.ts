@@ -259,17 +259,14 @@ test("a check is cancelled, and the server stops", async () => {
 });
 
 test("560 links stay live", async () => {
-  const page = await session.page();
   // A picture is drawn when its canvas has been cleared for it.
-  await page.addInitScript(() => {
+  const page = await session.page("m=hydra(560,1,0,1)", () => {
     const { clear } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.clear = function (mask) {
       document.documentElement.dataset["pictures"] = String(Number(document.documentElement.dataset["pictures"] ?? 0) + 1);
       clear.call(this, mask);
     };
   });
-  await page.goto(`${server.url}#m=hydra(560,1,0,1)`);
-  await page.reload();
   await settled(page);
   // A slider goes to and fro, as often as the page shows a frame. An update is an answer of the server in the numbers on the page;
   // pictures are those drawn in the same time, each of the newest answer.

@@ -104,8 +104,10 @@ export class Session {
     return new Session(folder, context, home);
   }
 
-  async page(hash = ""): Promise<Page> {
+  /** A page at a link; `before` runs in it before its own scripts. */
+  async page(hash = "", before?: () => void): Promise<Page> {
     const page = await this.context.newPage();
+    if (before) await page.addInitScript(before);
     // Without a graphics processor the driver remarks on how slow it is.
     const remark = /GL Driver Message \(OpenGL, Performance/;
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && !remark.test(message.text()) && this.complaints.push(message.text()));
