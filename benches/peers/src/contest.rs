@@ -215,7 +215,8 @@ fn compare(heats: &mut [Heat<'_>], entrants: &mut [Entrant<'_>], programs: &mut 
     for (heat, value) in heats.iter().zip(&values) {
         let same = |other: &Heat<'_>| {
             other.contestant == "eigenbody"
-                && (other.what(), &other.robot.name) == (heat.what().replace("entries", "crba").as_str(), &heat.robot.name)
+                && (other.what(), &other.robot.name)
+                    == (heat.what().replace("entries", "crba").as_str(), &heat.robot.name)
         };
         let Some(ours) = heats.iter().position(same).map(|index| &values[index]) else { continue };
         if value.is_empty() || ours.is_empty() {

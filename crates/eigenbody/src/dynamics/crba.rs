@@ -16,7 +16,7 @@ use super::rooted;
 use crate::error::InputError;
 use crate::matrix::Matrix;
 use crate::model::{EMPTY, Mechanism, Member, Model, MotionKind, with_twist};
-use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Quad, Real, Scalar, Unit, dispatch_one};
 use crate::spatial::{Force, Motion, Placed, PseudoInertia, Rotation, ThenZ, Vec3};
 use std::ops::Range;
 
@@ -103,6 +103,7 @@ struct Crba<'a, T> {
 
 impl<T: Real> Algorithm<T> for Crba<'_, T> {
     type Output = ();
+    const UNIT: Unit = Unit::Avx512;
     #[inline(always)]
     fn run<S: Scalar<Constant = T, Stored = T>>(self) {
         let Self { model, q, workspace, H } = self;

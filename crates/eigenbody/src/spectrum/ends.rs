@@ -13,7 +13,7 @@
 use super::abreast;
 use crate::error::InputError;
 use crate::matrix::Matrix;
-use crate::scalar::{Algorithm, Aligned, Quad, Real, Scalar, dispatch_one};
+use crate::scalar::{Algorithm, Aligned, Quad, Real, Scalar, Unit, dispatch_one};
 
 /// Mostly 4 to 15 are taken; a cluster of half the eigenvalues is approached by a factor of 1 − 2/√n a step.
 const MAX_STEPS: usize = 1000;
@@ -125,6 +125,7 @@ struct Ends<'a, T> {
 
 impl<T: Real> Algorithm<T> for Ends<'_, T> {
     type Output = [T; 2];
+    const UNIT: Unit = Unit::Avx512;
     #[inline(always)]
     fn run<S: Scalar<Constant = T, Stored = T>>(self) -> [T; 2] {
         let [min, max] = ends::<S>(self.workspace);

@@ -16,6 +16,7 @@ use super::moments::Moments;
 use super::rnea::{RneaRoom, force, move_all};
 use super::{Stand, columns, combined, components, suits, units};
 use crate::dynamics::posture::Posture;
+use crate::joint::Joint;
 use crate::model::{Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
@@ -112,8 +113,13 @@ pub(in crate::dynamics) fn aba<T: Real, Q: Quad<T>>(
             (dofs[d], D[d]) = eliminate(&mut IA, &mut p, U, pivot, u);
         } else {
             let (S, count) = columns::<T, Q>(m, posture, at);
-            for (d, &(w, v)) in (d..d + count).zip(&S[..count]).rev() {
-                let U = IA.times(w, v);
+            let columns = m.joint.columns();
+            for ((d, &(w, v)), column) in (d..d + count).zip(&S[..count]).zip(columns).rev() {
+                let U = match column.place() {
+                    // The axes of a root are its own.
+                    Some(place) if m.parent == 0 => IA.column(place),
+                    _ => IA.times(w, v),
+                };
                 let pivot = w.mul_add(U.n, v * U.f).total() + Q::constant(model.armature[d]);
                 let u = Q::constant(tau[d]) - w.mul_add(p.n, v * p.f).total();
                 (dofs[d], D[d]) = eliminate(&mut IA, &mut p, U, pivot, u);
@@ -157,7 +163,9 @@ fn accelerate<T: Real, Q: Quad<T>>(
             }
         };
         let d = m.v0 as usize;
-        if m.motion != MotionKind::Other {
+        if m.parent == 0 && matches!(m.joint, Joint::Floating) {
+            (ang, lin) = free_root(&dofs[d..d + 6], &mut qdd[d..d + 6]);
+        } else if m.motion != MotionKind::Other {
             let (x, z) = (accelerated(&dofs[d], ang, lin), Q::from_slice(&at.z));
             [qdd[d], ..] = x.numbers();
             match m.motion {
@@ -174,6 +182,23 @@ fn accelerate<T: Real, Q: Quad<T>>(
         }
         delta[i].0 = [ang.numbers(), lin.numbers()];
     }
+}
+
+/// q̈ and δ of a body that is free in the world: S = 1, and what an acceleration changes is taken from all later ones at once.
+#[inline(always)]
+fn free_root<T: Real, Q: Quad<T>>(dofs: &[Eliminated<T>], qdd: &mut [T]) -> (Q, Q) {
+    let mut x = [T::ZERO; 6];
+    for d in 0..6 {
+        [x[d], ..] = dofs[d].y;
+    }
+    for e in 0..6 {
+        for d in e + 1..6 {
+            let U = if e < 3 { dofs[d].n[e] } else { dofs[d].f[e - 3] };
+            x[d] = U.mul_add(-x[e], x[d]);
+        }
+    }
+    qdd.copy_from_slice(&x);
+    (Q::of([x[0], x[1], x[2], T::ZERO]), Q::of([x[3], x[4], x[5], T::ZERO]))
 }
 
 /// y − D⁻¹ Uᵀ δ.
@@ -223,6 +248,23 @@ impl<Q> Articulated<Q> {
         Q: Quad<T>,
     {
         Self { I: self.I + b.I, H: self.H + b.H, M: self.M + b.M }
+    }
+
+    /// Column k.
+    #[inline(always)]
+    fn column<T: Real>(&self, k: usize) -> Wrench<Q>
+    where
+        Q: Quad<T>,
+    {
+        let Self { I, H, M } = *self;
+        match k {
+            0 => Wrench { n: I.x, f: H.x },
+            1 => Wrench { n: I.y, f: H.y },
+            2 => Wrench { n: I.z, f: H.z },
+            3 => Wrench { n: transpose(H).x, f: M.x },
+            4 => Wrench { n: transpose(H).y, f: M.y },
+            _ => Wrench { n: transpose(H).z, f: M.z },
+        }
     }
 
     /// IA [w; v].

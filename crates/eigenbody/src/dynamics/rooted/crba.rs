@@ -221,8 +221,7 @@ fn mirror<T: Real, Q: Quad<T>>(H: &mut [T], n: usize, reach: &[u32]) {
         }
         return;
     };
-    // The rows of the root were written last.
-    for (d, &reach) in (0..n).step_by(WIDTH).zip(reach).rev() {
+    for (d, &reach) in (0..n).step_by(WIDTH).zip(reach) {
         let d = d.min(last);
         let tile = symmetric(four::<T, Q>(&H[d * n + d..], n));
         put_four(tile, &mut H[d * n + d..], n);

@@ -7,8 +7,7 @@
 //! 2. Every intrinsic used works on registers: none touches memory, except loads and stores of whole arrays by value.
 //!
 //! Dispatch happens once, around a whole algorithm: the algorithm is generic over its scalar and inlined whole into the entry
-//! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers; what AVX-512 adds to these
-//! are more of them, and products with a number out of memory.
+//! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers.
 
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86;
@@ -36,6 +35,9 @@ pub trait WideAlgorithm<T: Real> {
 pub trait Algorithm<T: Real> {
     /// What it computes.
     type Output;
+    /// The unit that it does best on. With AVX-512 there are more registers and products with a number out of memory, but numbers change
+    /// places more slowly.
+    const UNIT: Unit = Unit::Avx2;
     /// Runs on plain or fused numbers.
     fn run<S: Scalar<Constant = T, Stored = T>>(self) -> Self::Output;
     /// Runs where four numbers fit into a register, for an algorithm that has a better way there.
@@ -107,7 +109,7 @@ where
     #[cfg(target_arch = "aarch64")]
     return algorithm.run_in_fours::<F>();
     #[cfg(not(target_arch = "aarch64"))]
-    match Unit::widest() {
+    match A::UNIT.min(Unit::widest()) {
         // SAFETY: the processor has the features that the entry function is compiled for.
         #[cfg(target_arch = "x86_64")]
         Unit::Avx512 => unsafe { x86::one_avx512::<F, _, _>(algorithm) },
