@@ -35,8 +35,7 @@ pub trait WideAlgorithm<T: Real> {
 pub trait Algorithm<T: Real> {
     /// What it computes.
     type Output;
-    /// The unit that it does best on. With AVX-512 there are more registers and products with a number out of memory, but numbers change
-    /// places more slowly.
+    /// The unit that it does best on, as measured: registers of four numbers are all that it uses of either.
     const UNIT: Unit = Unit::Avx2;
     /// Runs on plain or fused numbers.
     fn run<S: Scalar<Constant = T, Stored = T>>(self) -> Self::Output;

@@ -27,25 +27,23 @@ pub(super) fn wide_avx2<W: Wide<Constant = T>, T: Real, A: WideAlgorithm<T>>(alg
     algorithm.run::<W>()
 }
 
-#[target_feature(enable = "avx2,fma")]
-pub(super) fn one_avx2<F, T, A>(algorithm: A) -> A::Output
-where
-    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
-    T: Real,
-    A: Algorithm<T>,
-{
-    algorithm.run_in_fours::<F>()
+/// Entry of an algorithm over single numbers.
+macro_rules! one {
+    ($name:ident, $features:literal) => {
+        #[target_feature(enable = $features)]
+        pub(super) fn $name<F, T, A>(algorithm: A) -> A::Output
+        where
+            F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
+            T: Real,
+            A: Algorithm<T>,
+        {
+            algorithm.run_in_fours::<F>()
+        }
+    };
 }
 
-#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
-pub(super) fn one_avx512<F, T, A>(algorithm: A) -> A::Output
-where
-    F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
-    T: Real,
-    A: Algorithm<T>,
-{
-    algorithm.run_in_fours::<F>()
-}
+one!(one_avx2, "avx2,fma");
+one!(one_avx512, "avx512f,avx512dq,avx512vl,avx2,fma");
 
 // SAFETY of every block below: promise 1 of the module; the types exist only where their features do.
 
