@@ -65,6 +65,11 @@ impl<T: Scalar> Matrix<T> {
         &mut self.data
     }
 
+    /// All entries, by rows.
+    pub(crate) fn as_rows(&mut self) -> Rows<'_, T> {
+        Rows { stride: self.cols, numbers: &mut self.data }
+    }
+
     /// Sets every entry.
     pub fn fill(&mut self, value: T) {
         self.data.fill(value);
@@ -99,6 +104,13 @@ impl<T: Real> Matrix<T> {
     pub fn max_abs(&self) -> f64 {
         self.data.iter().fold(0.0, |m, x| m.max(x.to_f64().abs()))
     }
+}
+
+/// A square matrix in someone's memory.
+pub(crate) struct Rows<'a, T> {
+    pub numbers: &'a mut [T],
+    /// From one row to the next.
+    pub stride: usize,
 }
 
 /// xᵀ y.

@@ -35,6 +35,8 @@ pub(crate) struct Mechanism<T> {
     pub full: bool,
     /// By four rows of H: one more than the last degree of freedom that any of them has an entry with.
     pub reach: Vec<u32>,
+    /// Where zeros stand side by side in the upper triangle of H, row after row.
+    pub zeros: Vec<Range<u32>>,
     /// Nobody's degrees of freedom come before those of the body that carries it.
     pub ascending: bool,
     /// The joints whose coordinates hold a quaternion, and where it begins in q.
@@ -55,11 +57,9 @@ pub(crate) const EMPTY: u32 = u32::MAX;
 pub(crate) struct Block {
     /// The degree of freedom in each slot, or [`EMPTY`].
     pub dofs: [u32; COLUMNS],
-    /// How many there are, if they follow one another; else 0.
+    /// How many numbers may go into a row of H as one, if degrees of freedom follow one another; else 0. All [`COLUMNS`] where the row
+    /// goes on, and what stands there is zero or still to be written.
     pub run: u32,
-    /// Whether as many numbers as there are slots can go into a row of H as one: where degrees of freedom that follow one another are
-    /// fewer, the row goes on, and what stands there is still to be written.
-    pub whole: bool,
 }
 
 /// A body.
@@ -174,6 +174,7 @@ impl<T: Real> Mechanism<T> {
             slots: Vec::new(),
             blocks: Vec::new(),
             reach: vec![0; nv.div_ceil(COLUMNS)],
+            zeros: Vec::new(),
             full: false,
             ascending: true,
             quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
@@ -266,23 +267,34 @@ impl<T: Real> Mechanism<T> {
     /// Where the rows of H go.
     fn lay_out_rows(&mut self, nv: usize) {
         self.blocks = blocks(&self.slots, nv);
-        let mut entries = 0;
+        let mut zero = vec![true; nv * nv];
         for m in &mut self.members {
             m.blocks = m.slots.start / COLUMNS as u32..m.slots.end.div_ceil(COLUMNS as u32);
             let subtree = &self.slots[m.slots.start as usize..m.slots.end as usize];
             let dofs = subtree.iter().filter(|&&dof| dof != EMPTY);
-            let (v0, nv) = (m.v0, m.joint.nv() as u32);
-            self.ascending &= dofs.clone().all(|&dof| dof >= v0);
-            let own = m.joint.nv();
+            let (v0, own) = (m.v0 as usize, m.joint.nv());
+            self.ascending &= dofs.clone().all(|&dof| dof as usize >= v0);
             let after = m.slots.start as usize + own;
             m.last = after.is_multiple_of(COLUMNS) || self.slots[after] == EMPTY;
-            entries += own * (2 * dofs.clone().count() - own);
+            for row in v0..v0 + own {
+                dofs.clone().for_each(|&dof| zero[row * nv + dof as usize] = false);
+            }
             let last = dofs.max().map_or(0, |&dof| dof + 1);
-            for row in v0 as usize / COLUMNS..(v0 + nv).div_ceil(COLUMNS as u32) as usize {
+            for row in v0 / COLUMNS..(v0 + own).div_ceil(COLUMNS) {
                 self.reach[row] = last.max(self.reach[row]);
             }
         }
-        self.full = entries == nv * nv;
+        for row in 0..nv {
+            let mut end = row * nv + row;
+            for run in zero[end..(row + 1) * nv].chunk_by(|a, b| a == b) {
+                let start = end;
+                end += run.len();
+                if run[0] {
+                    self.zeros.push(start as u32..end as u32);
+                }
+            }
+        }
+        self.full = self.ascending && self.zeros.is_empty();
     }
 }
 
@@ -290,14 +302,15 @@ fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
     let block = |(k, dofs): (usize, &[u32])| {
         let (first, count) = (dofs[0], dofs.iter().filter(|&&dof| dof != EMPTY).count());
         let consecutive = (first..).zip(&dofs[..count]).all(|(expected, &dof)| dof == expected);
-        let fits = first as usize + COLUMNS <= nv;
         let written = &slots[..k * COLUMNS];
         let covered = (0..COLUMNS as u32).skip(count).any(|l| written.contains(&(first + l)));
-        Block {
-            dofs: [dofs[0], dofs[1], dofs[2], dofs[3]],
-            run: if consecutive { count as u32 } else { 0 },
-            whole: consecutive && fits && !covered,
-        }
+        let fits = first as usize + COLUMNS <= nv;
+        let run = match fits && !covered {
+            _ if !consecutive => 0,
+            true => COLUMNS,
+            false => count,
+        };
+        Block { dofs: [dofs[0], dofs[1], dofs[2], dofs[3]], run: run as u32 }
     };
     slots.chunks_exact(COLUMNS).enumerate().map(block).collect()
 }

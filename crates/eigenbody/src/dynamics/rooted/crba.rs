@@ -11,10 +11,12 @@
 use super::moments::Moments;
 use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
-use crate::matrix::Matrix;
+use crate::joint::Joint;
+use crate::matrix::Rows;
 use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
+use std::ops::Range;
 
 /// Slots of a block.
 const WIDTH: usize = 4;
@@ -47,27 +49,29 @@ impl<T: Scalar> CrbaRoom<T> {
     }
 }
 
-/// H, both triangles, of a mechanism whose degrees of freedom ascend.
+/// H of a mechanism whose degrees of freedom ascend: both triangles, or the upper one and something below it.
 #[inline(always)]
 pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
     model: &Model<T>,
     posture: &Posture<T>,
     q: &[T],
     CrbaRoom { stands, waiting, F }: &mut CrbaRoom<T>,
-    H: &mut Matrix<T>,
+    Rows { numbers: H, stride }: Rows<'_, T>,
+    both: bool,
 ) {
-    let Mechanism { members, blocks, reach, full, .. } = &model.mechanism;
-    if !full {
-        H.fill(T::ZERO);
+    let Mechanism { members, blocks, reach, zeros, full, .. } = &model.mechanism;
+    match both {
+        true if *full => (),
+        true => H.fill(T::ZERO),
+        false => clear::<T, Q>(zeros, H),
     }
-    let (nv, H) = (H.cols(), H.as_mut_slice());
+    let (members, blocks, armature) = (members.as_slice(), blocks.as_slice(), model.armature.as_slice());
     let n = members.len();
     stand::<T, Q>(&model.mechanism, posture, q, stands);
     let (stands, waiting) = (&stands[..n], &mut waiting[..n]);
     let F = &mut F[..blocks.len()];
     let mut next = Moments { h: Q::ZERO, P: Vec3::ZERO };
-    for i in (0..n).rev() {
-        let (m, at) = (&members[i], &stands[i]);
+    for (i, (m, at)) in members.iter().zip(stands).enumerate().rev() {
         let mut Ic = Moments::<Q>::own(m, at);
         if !m.place.leaf {
             Ic = Ic.plus(next);
@@ -75,27 +79,25 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
                 Ic = Ic.plus(load(&waiting[i].0));
             }
         }
-        let (d, lane) = (m.v0 as usize, m.lane as usize);
-        let subtree = m.blocks.start as usize..m.blocks.end as usize;
-        let (F, blocks) = (&mut F[subtree.clone()], &blocks[subtree]);
-        if m.motion == MotionKind::Other {
-            let (S, r) = (columns(m, posture, at), components(&at.r));
-            several::<T, Q>((model, m), S, &Ic, (F, blocks), (&mut *H, nv), r);
-        } else {
-            let (z, axis) = (components::<T, Q>(&at.z), Q::from_slice(&at.z));
-            let hinge = m.motion == MotionKind::Hinge;
-            let (n, f) = match hinge {
-                true => (combined(Ic.rotational(), z), axis.cross(Ic.h)),
-                false => (Ic.h.cross(axis), axis * Q::constant(m.carried)),
-            };
-            put(F, m, n, f);
-            let (r, H) = (components(&at.r), &mut H[d * nv..][..nv]);
-            let mut armature = unit::<T, Q>(lane) * Q::constant(model.armature[d]);
-            for (Line(F), block) in F.iter_mut().zip(blocks) {
-                let (n, f) = load_columns::<T, Q>(F);
-                write(block, combined(if hinge { n } else { f }, z) + armature, H);
-                armature = Q::ZERO;
-                carry(F, n, f, r);
+        match m.motion {
+            MotionKind::Hinge => {
+                let (n, f) = (Ic.moment(&at.z), Q::from_slice(&at.z).cross(Ic.h));
+                row::<T, Q, true>(m, at, n, f, armature, (F, blocks), (&mut *H, stride));
+            }
+            MotionKind::Slide => {
+                let axis = Q::from_slice(&at.z);
+                let (n, f) = (Ic.h.cross(axis), axis * Q::constant(m.carried));
+                row::<T, Q, false>(m, at, n, f, armature, (F, blocks), (&mut *H, stride));
+            }
+            MotionKind::Other => {
+                let (start, end) = (m.blocks.start as usize, m.blocks.end as usize);
+                let (F, blocks) = (&mut F[start..end], &blocks[start..end]);
+                if m.parent == 0 && matches!(m.joint, Joint::Floating) {
+                    free_root::<T, Q>(m, &Ic, armature, (F, blocks), (&mut *H, stride));
+                    continue;
+                }
+                let (S, r) = (columns(m, posture, at), components(&at.r));
+                several::<T, Q>((model, m), S, &Ic, (F, blocks), (&mut *H, stride), r);
             }
         }
         if m.parent > 0 {
@@ -110,7 +112,35 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
             }
         }
     }
-    mirror::<T, Q>(H, nv, reach);
+    if both {
+        mirror::<T, Q>(H, stride, reach);
+    }
+}
+
+/// The row of a hinge or a slide, and its column [n; f] with all that it carries, on to the parent.
+#[inline(always)]
+fn row<T: Real, Q: Quad<T>, const HINGE: bool>(
+    m: &Member<T>,
+    at: &Stand<T>,
+    n: Q,
+    f: Q,
+    armature: &[T],
+    (F, blocks): (&mut [Line<Columns<T>>], &[Block]),
+    (H, stride): (&mut [T], usize),
+) {
+    let (d, start, end) = (m.v0 as usize, m.blocks.start as usize, m.blocks.end as usize);
+    let (F, blocks, H) = (&mut F[..end], &blocks[..end], &mut H[d * stride..][..stride]);
+    let (place, z, r) = (unit::<T, Q>(m.lane as usize), components(&at.z), components(&at.r));
+    if start < end {
+        let (n, f) = put(&mut F[start].0, m, place, n, f);
+        write(&blocks[start], place.mul_add(Q::constant(armature[d]), combined(if HINGE { n } else { f }, z)), H);
+        carry(&mut F[start].0, n, f, r);
+    }
+    for k in start + 1..end {
+        let (n, f) = load_columns::<T, Q>(&F[k].0);
+        write(&blocks[k], combined(if HINGE { n } else { f }, z), H);
+        carry(&mut F[k].0, n, f, r);
+    }
 }
 
 /// The rows of a body with a joint of several degrees of freedom, or of an uncommon one.
@@ -120,7 +150,7 @@ fn several<T: Real, Q: Quad<T>>(
     (S, count): ([(Q, Q); 6], usize),
     Ic: &Moments<Q>,
     (F, blocks): (&mut [Line<Columns<T>>], &[Block]),
-    (H, nv): (&mut [T], usize),
+    (H, stride): (&mut [T], usize),
     r: Vec3<Q>,
 ) {
     let (I, d, lane) = (Ic.rotational(), m.v0 as usize, m.lane as usize);
@@ -132,12 +162,9 @@ fn several<T: Real, Q: Quad<T>>(
         *column = (n, f);
     }
     put_all(F, m, &own);
-    if m.parent == 0 && m.joint.columns().iter().all(|column| column.place().is_some()) {
-        return rows_of_root::<T, Q>(model, m, F, blocks, (H, nv));
-    }
     for (k, &(w, v)) in S[..count].iter().enumerate() {
         let (first, place) = ((lane + k) / WIDTH, (lane + k) % WIDTH);
-        let H = &mut H[(d + k) * nv..][..nv];
+        let H = &mut H[(d + k) * stride..][..stride];
         let mut armature = unit::<T, Q>(place) * Q::constant(model.armature[d + k]);
         let ([wx, wy, wz, _], [vx, vy, vz, _]) = (w.each(), v.each());
         let (w, v) = (Vec3::new(wx, wy, wz), Vec3::new(vx, vy, vz));
@@ -155,48 +182,58 @@ fn several<T: Real, Q: Quad<T>>(
     }
 }
 
-/// The axes of a root are its own: where its joint moves along and about them, rows of H are rows of F.
+/// The axes of a root are its own: where it moves freely, its columns are those of its inertia, and rows of H are rows of F.
 #[inline(always)]
-fn rows_of_root<T: Real, Q: Quad<T>>(
-    model: &Model<T>,
+fn free_root<T: Real, Q: Quad<T>>(
     m: &Member<T>,
-    F: &mut [Line<Columns<T>>],
-    blocks: &[Block],
-    (H, nv): (&mut [T], usize),
+    Ic: &Moments<Q>,
+    armature: &[T],
+    (F, blocks): (&mut [Line<Columns<T>>], &[Block]),
+    (H, stride): (&mut [T], usize),
 ) {
-    let (d, lane, columns) = (m.v0 as usize, m.lane as usize, m.joint.columns());
-    let mut places = [0; 6];
-    for (k, (place, column)) in places.iter_mut().zip(columns).enumerate() {
-        *place = column.place().unwrap_or(0);
-        let row = &mut F[(lane + k) / WIDTH].0[*place];
-        let armature = unit::<T, Q>((lane + k) % WIDTH) * Q::constant(model.armature[d + k]);
-        *row = (Q::from_slice(row) + armature).numbers();
+    let d = m.v0 as usize;
+    let ([Line(first), Line(second), ..], &[a, b, c, d0, d1, d2]) = (&mut *F, &armature[d..][..6]) else {
+        return;
+    };
+    let (I, mass, o) = (Ic.rotational(), m.carried, T::ZERO);
+    let ([hx, hy, hz, _], [nx, ny, nz, _]) = (Ic.h.numbers(), (-Ic.h).numbers());
+    *first = [
+        (I.x + Q::of([a, o, o, o])).numbers(),
+        (I.y + Q::of([o, b, o, hz])).numbers(),
+        (I.z + Q::of([o, o, c, ny])).numbers(),
+        [o, hz, ny, mass + d0],
+        [nz, o, hx, o],
+        [hy, nx, o, o],
+    ];
+    let own = [[nz, hy, o, o], [o, nx, o, o], [hx, o, o, o], [o; 4], [mass + d1, o, o, o], [o, mass + d2, o, o]];
+    for (row, own) in second.iter_mut().zip(own) {
+        *row = (Q::from_slice(row) + Q::of(own)).numbers();
     }
-    let (places, H) = (&places[..columns.len()], &mut H[d * nv..][..columns.len() * nv]);
-    for (Line(F), block) in F.iter().zip(blocks) {
-        if block.whole {
-            let mut first = block.dofs[0] as usize;
-            for &place in places {
-                Q::from_slice(&F[place]).to_slice(&mut H[first..first + WIDTH]);
-                first += nv;
-            }
-        } else {
-            for (&place, H) in places.iter().zip(H.chunks_exact_mut(nv)) {
-                write(block, Q::from_slice(&F[place]), H);
-            }
-        }
+    let (row_0, H) = H[d * stride..].split_at_mut(stride);
+    let (row_1, H) = H.split_at_mut(stride);
+    let (row_2, H) = H.split_at_mut(stride);
+    let (row_3, H) = H.split_at_mut(stride);
+    let (row_4, H) = H.split_at_mut(stride);
+    let row_5 = &mut H[..stride];
+    for (Line([x0, x1, x2, x3, x4, x5]), block) in F.iter().zip(blocks) {
+        write(block, Q::from_slice(x0), row_0);
+        write(block, Q::from_slice(x1), row_1);
+        write(block, Q::from_slice(x2), row_2);
+        write(block, Q::from_slice(x3), row_3);
+        write(block, Q::from_slice(x4), row_4);
+        write(block, Q::from_slice(x5), row_5);
     }
 }
 
-/// The entries of a row of H at the slots of a block. Whatever it writes below the diagonal is written over later.
+/// The entries of a row of H at the slots of a block. Whatever it writes below the diagonal is written over later, or of no meaning.
 #[inline(always)]
 fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
-    let first = block.dofs[0] as usize;
-    if block.whole {
+    let (first, run) = (block.dofs[0] as usize, block.run);
+    if run == WIDTH as u32 {
         return x.to_slice(&mut H[first..first + WIDTH]);
     }
     let x = x.numbers();
-    match block.run {
+    match run {
         3 => H[first..first + 3].copy_from_slice(&x[..3]),
         2 => H[first..first + 2].copy_from_slice(&x[..2]),
         1 => H[first] = x[0],
@@ -207,6 +244,24 @@ fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
                 }
             }
         }
+    }
+}
+
+/// Zeros where there are any: fours of them, of which the last may meet the one before it.
+#[inline(always)]
+fn clear<T: Real, Q: Quad<T>>(zeros: &[Range<u32>], H: &mut [T]) {
+    for run in zeros {
+        let row = &mut H[run.start as usize..run.end as usize];
+        let Some(last) = row.len().checked_sub(WIDTH) else {
+            row.iter_mut().for_each(|x| *x = T::ZERO);
+            continue;
+        };
+        let mut first = 0;
+        while first < last {
+            Q::ZERO.to_slice(&mut row[first..]);
+            first += WIDTH;
+        }
+        Q::ZERO.to_slice(&mut row[last..]);
     }
 }
 
@@ -251,16 +306,17 @@ fn load<T: Real, Q: Quad<T>>([h, x, y, z]: &[[T; 4]; 4]) -> Moments<Q> {
     Moments { h: Q::from_slice(h), P: Vec3::new(Q::from_slice(x), Q::from_slice(y), Q::from_slice(z)) }
 }
 
-/// A column into its place in the first block. Places of bodies further in are zero until they are reached.
+/// The first block with a column in its place, of which the forces are kept. Places of bodies further in are zero until they are reached.
 #[inline(always)]
-fn put<T: Real, Q: Quad<T>>(F: &mut [Line<Columns<T>>], m: &Member<T>, n: Q, f: Q) {
-    let ([nx, ny, nz, _], [fx, fy, fz, _], here) = (n.each(), f.each(), unit::<T, Q>(m.lane as usize));
-    if let Some(Line(F)) = F.first_mut() {
-        for (row, x) in F.iter_mut().zip([nx, ny, nz, fx, fy, fz]) {
-            let others = if m.last { Q::ZERO } else { Q::from_slice(row) };
-            *row = here.mul_add(x, others).numbers();
-        }
+fn put<T: Real, Q: Quad<T>>(F: &mut Columns<T>, m: &Member<T>, here: Q, n: Q, f: Q) -> (Vec3<Q>, Vec3<Q>) {
+    let ([nx, ny, nz, _], [fx, fy, fz, _]) = (n.each(), f.each());
+    let (mut n, mut f) = (Vec3::new(here * nx, here * ny, here * nz), Vec3::new(here * fx, here * fy, here * fz));
+    if !m.last {
+        let (n0, f0) = load_columns::<T, Q>(F);
+        (n, f) = (n + n0, f + f0);
     }
+    [F[3], F[4], F[5]] = [f.x.numbers(), f.y.numbers(), f.z.numbers()];
+    (n, f)
 }
 
 /// Columns from the first block on, from their places in it; all others are zero.
@@ -296,9 +352,9 @@ fn load_columns<T: Real, Q: Quad<T>>([nx, ny, nz, fx, fy, fz]: &Columns<T>) -> (
 /// n + r × f.
 #[inline(always)]
 fn carry<T: Real, Q: Quad<T>>(F: &mut Columns<T>, n: Vec3<Q>, f: Vec3<Q>, r: Vec3<Q>) {
-    F[0] = r.y.mul_add(f.z, (-r.z).mul_add(f.y, n.x)).numbers();
-    F[1] = r.z.mul_add(f.x, (-r.x).mul_add(f.z, n.y)).numbers();
-    F[2] = r.x.mul_add(f.y, (-r.y).mul_add(f.x, n.z)).numbers();
+    F[0] = r.y.mul_add(f.z, r.z.mul_add(-f.y, n.x)).numbers();
+    F[1] = r.z.mul_add(f.x, r.x.mul_add(-f.z, n.y)).numbers();
+    F[2] = r.x.mul_add(f.y, r.y.mul_add(-f.x, n.z)).numbers();
 }
 
 /// Four numbers of each of four rows.

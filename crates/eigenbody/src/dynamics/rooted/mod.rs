@@ -93,10 +93,11 @@ fn stand<T: Real, Q: Quad<T>>(
     q: &[T],
     stands: &mut [Stand<T>],
 ) {
-    let n = mechanism.members.len();
+    let members = mechanism.members.as_slice();
+    let n = members.len();
     let (stands, sin, cos) = (&mut stands[..n], &posture.sin[..n], &posture.cos[..n]);
     let mut before = Stand::ROOT.axes::<Q>();
-    for (i, m) in mechanism.members.iter().enumerate() {
+    for (i, m) in members.iter().enumerate() {
         let Some(p) = (m.parent as usize).checked_sub(1) else {
             stands[i] = Stand::ROOT;
             before = stands[i].axes::<Q>();

@@ -69,4 +69,18 @@ impl<Q> Moments<Q> {
         let (x, y, z) = ((-self.P.x).numbers(), (-self.P.y).numbers(), (-self.P.z).numbers());
         Vec3::new(Q::of([xx, x[1], x[2], x[3]]), Q::of([y[0], yy, y[2], y[3]]), Q::of([z[0], z[1], zz, z[3]]))
     }
+
+    /// I w.
+    #[inline(always)]
+    pub fn moment<T: Real>(&self, w: &[T; 4]) -> Q
+    where
+        Q: Quad<T>,
+    {
+        let (x, y, z) = (self.P.x.numbers(), self.P.y.numbers(), self.P.z.numbers());
+        let diagonal = Q::of([x[0], y[1], z[2], T::ZERO]).yzx();
+        let sums = diagonal + diagonal.yzx();
+        let (x, y, z) = ([T::ZERO, x[1], x[2], x[3]], [y[0], T::ZERO, y[2], y[3]], [z[0], z[1], T::ZERO, z[3]]);
+        let Vec3 { x: wx, y: wy, z: wz } = components::<T, Q>(w);
+        wx.mul_add(-Q::of(x), wy.mul_add(-Q::of(y), wz.mul_add(-Q::of(z), sums * Q::from_slice(w))))
+    }
 }
