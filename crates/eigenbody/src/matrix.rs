@@ -60,11 +60,6 @@ impl<T: Scalar> Matrix<T> {
         &self.data
     }
 
-    /// All entries, to be written.
-    pub(crate) fn as_mut_slice(&mut self) -> &mut [T] {
-        &mut self.data
-    }
-
     /// All entries, by rows.
     pub(crate) fn as_rows(&mut self) -> Rows<'_, T> {
         Rows { stride: self.cols, numbers: &mut self.data }

@@ -5,13 +5,14 @@ use allocation_counter::measure;
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, Denoc, FloatingWorkspace, MomentumWorkspace, RneaWorkspace, Udu,
     bias_force_into, energy_into, floating_mass_matrix_into, forward_dynamics_into, gravity_force_into,
-    inverse_dynamics_into, link_pose, mass_matrix_into, momentum_into,
+    inverse_dynamics_into, link_pose, mass_matrix_into, mass_matrix_upper_into, momentum_into,
 };
 use eigenbody::factor::{
     CoupledWorkspace, Ltdl, Ltl, coupled_bias_force_into, coupled_forward_dynamics_into,
     coupled_inverse_dynamics_into,
 };
 use eigenbody::scalar::{Dd, Real};
+use eigenbody::spectrum::{EndsAtWorkspace, Metric, extreme_eigenvalues_at};
 use eigenbody::{Base, Family, Matrix, Model};
 use std::collections::BTreeSet;
 
@@ -51,6 +52,11 @@ fn dynamics_allocate_nothing<T: Real>() {
 
         let mut crba = CrbaWorkspace::new(&model);
         assert_none("CRBA", || mass_matrix_into(&model, &q, &mut crba, &mut H).unwrap());
+        assert_none("upper CRBA", || mass_matrix_upper_into(&model, &q, &mut crba, &mut H).unwrap());
+        let mut ends = EndsAtWorkspace::new(&model, &Metric::Euclidean).unwrap();
+        assert_none("ends", || {
+            extreme_eigenvalues_at(&model, &q, &mut ends).unwrap();
+        });
         let mut denoc = Denoc::new(&model);
         assert_none("DeNOC", || denoc.update(&q).unwrap());
         assert_none("DeNOC matrix", || denoc.mass_matrix_into(&mut H).unwrap());

@@ -116,7 +116,12 @@ pub fn extreme_eigenvalues_into<T: Real>(
         let index = A.iter().position(|x| !x.is_finite()).unwrap_or(0) / *stride;
         return Err(InputError::NotFinite { what: "H", index });
     }
-    Ok(dispatch_one(Ends { workspace }))
+    Ok(reduced_ends(workspace))
+}
+
+/// λmin and λmax of the matrix that stands in the workspace, of one row at least.
+pub(super) fn reduced_ends<T: Real>(workspace: &mut EndsWorkspace<T>) -> [T; 2] {
+    dispatch_one(Ends { workspace })
 }
 
 struct Ends<'a, T> {

@@ -4,6 +4,7 @@ mod abreast;
 mod bisect;
 mod eigen;
 mod ends;
+mod ends_at;
 mod extremes;
 mod metric;
 mod null_space;
@@ -17,6 +18,7 @@ mod tridiagonal;
 
 pub use eigen::{SymmetricEigen, eigen, eigenvalues};
 pub use ends::{EndsWorkspace, extreme_eigenvalues, extreme_eigenvalues_into};
+pub use ends_at::{EndsAtWorkspace, extreme_eigenvalues_at};
 pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
 pub(crate) use extremes::{extreme_values, extremes_from};
 pub use metric::Metric;

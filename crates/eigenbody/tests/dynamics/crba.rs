@@ -1,9 +1,10 @@
 use super::largest;
 use crate::robots::cases;
+use eigenbody::dynamics::{CrbaWorkspace, mass_matrix_into, mass_matrix_upper_into};
 use eigenbody::scalar::Real;
-use eigenbody::{inverse_dynamics, mass_matrix};
+use eigenbody::{Matrix, inverse_dynamics, mass_matrix};
 
-scalars!(columns_are_inverse_dynamics, both_triangles_and_branch_zeros);
+scalars!(columns_are_inverse_dynamics, both_triangles_and_branch_zeros, upper_triangle_alone);
 
 /// Column d of H is RNEA(e_d) − RNEA(0) at rest.
 fn columns_are_inverse_dynamics<T: Real>() {
@@ -44,4 +45,24 @@ fn both_triangles_and_branch_zeros<T: Real>() {
         }
     }
     assert!(zeros > 1000, "{zeros}");
+}
+
+/// The same numbers, zeros between branches too, whatever stood there before.
+fn upper_triangle_alone<T: Real>() {
+    for case in cases::<T>(60) {
+        let (n, model) = (case.nv(), &case.model);
+        let expected = mass_matrix(model, &case.q).unwrap();
+        let mut workspace = CrbaWorkspace::new(model);
+        let mut H = Matrix::zeros(n, n);
+        for _ in 0..2 {
+            H.fill(T::from_f64(f64::NAN));
+            mass_matrix_upper_into(model, &case.q, &mut workspace, &mut H).unwrap();
+            for d in 0..n {
+                assert_eq!(H.row(d)[d..], expected.row(d)[d..], "{}: row {d}", case.name);
+            }
+            H.fill(T::from_f64(f64::NAN));
+            mass_matrix_into(model, &case.q, &mut workspace, &mut H).unwrap();
+            assert_eq!(H, expected, "{}", case.name);
+        }
+    }
 }

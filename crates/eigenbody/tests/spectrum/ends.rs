@@ -1,9 +1,13 @@
 //! Both ends of dense spectra against the whole of them.
 
-use eigenbody::Matrix;
+use crate::robots::cases;
 use eigenbody::model::Random;
 use eigenbody::scalar::Real;
-use eigenbody::spectrum::{EndsWorkspace, eigenvalues, extreme_eigenvalues, extreme_eigenvalues_into};
+use eigenbody::spectrum::{
+    EndsAtWorkspace, EndsWorkspace, Metric, eigenvalues, extreme_eigenvalues, extreme_eigenvalues_at,
+    extreme_eigenvalues_into,
+};
+use eigenbody::{Family, InputError, Matrix, Model, mass_matrix};
 
 /// Qᵀ diag(λ) Q, Q a product of reflections.
 fn with_spectrum(values: &[f64], seed: u64) -> Vec<Vec<f64>> {
@@ -75,4 +79,63 @@ fn ends_of_known_spectra_in_single_precision() {
 #[test]
 fn ends_of_known_spectra_in_double_precision() {
     ends_of_known_spectra::<f64>();
+}
+
+/// Of robots of every shape, in every metric: the ends of H as a matrix.
+fn ends_at_a_configuration<T: Real>() {
+    for case in cases::<T>(60).into_iter().filter(|case| case.nv() > 0) {
+        let (n, model) = (case.nv(), &case.model);
+        let given = (0..n).map(|d| T::from_f64(1.0 + d as f64)).collect();
+        let metrics = [
+            Metric::Euclidean,
+            Metric::UnitDiagonal,
+            Metric::Length(T::from_f64(0.5)),
+            Metric::Diagonal(given),
+        ];
+        for metric in metrics {
+            let mut room = EndsAtWorkspace::new(model, &metric).unwrap();
+            for q in [model.neutral(), case.q.clone()] {
+                let H = mass_matrix(model, &q).unwrap();
+                let expected = extreme_eigenvalues(&H, &metric.weights(model, &H).unwrap()).unwrap();
+                let found = extreme_eigenvalues_at(model, &q, &mut room).unwrap();
+                // 4 n ε λmax: the same steps, but for how W H W is rounded
+                let tolerance = 4.0 * n as f64 * T::EPSILON * expected[1].to_f64();
+                for (found, expected) in found.into_iter().zip(expected) {
+                    let error = (found - expected).abs().to_f64();
+                    assert!(error <= tolerance, "{}, {metric}: {error:e}, {tolerance:e}", case.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn ends_at_a_configuration_in_single_precision() {
+    ends_at_a_configuration::<f32>();
+}
+
+#[test]
+fn ends_at_a_configuration_in_double_precision() {
+    ends_at_a_configuration::<f64>();
+}
+
+/// One configuration whose H overflows leaves nothing behind for the next.
+#[test]
+fn ends_after_an_overflow() {
+    let slide = Family::hydra(5, 1.0, 0.4, 1.0).unwrap();
+    let model: Model<f32> = slide.model().unwrap();
+    let mut room = EndsAtWorkspace::new(&model, &Metric::Diagonal(vec![1e-38; 5])).unwrap();
+    let q = model.neutral();
+    let refused = extreme_eigenvalues_at(&model, &q, &mut room);
+    assert!(matches!(refused, Err(InputError::NotFinite { what: "H", .. })), "{refused:?}");
+    let again = extreme_eigenvalues_at(&model, &q, &mut room);
+    assert!(matches!(again, Err(InputError::NotFinite { what: "H", .. })), "{again:?}");
+    let other: Model<f32> = Family::hydra(4, 1.0, 0.4, 1.0).unwrap().model().unwrap();
+    let wrong = extreme_eigenvalues_at(&other, &other.neutral(), &mut room);
+    assert!(
+        matches!(wrong, Err(InputError::Length { what: "workspace", expected: 4, found: 5 })),
+        "{wrong:?}"
+    );
+    let negative = EndsAtWorkspace::new(&model, &Metric::Diagonal(vec![-1.0; 5])).map(|_| ());
+    assert!(matches!(negative, Err(InputError::NotPositive { what: "B", index: 0, .. })), "{negative:?}");
 }

@@ -133,7 +133,11 @@ fn row<T: Real, Q: Quad<T>, const HINGE: bool>(
     let (place, z, r) = (unit::<T, Q>(m.lane as usize), components(&at.z), components(&at.r));
     if start < end {
         let (n, f) = put(&mut F[start].0, m, place, n, f);
-        write(&blocks[start], place.mul_add(Q::constant(armature[d]), combined(if HINGE { n } else { f }, z)), H);
+        write(
+            &blocks[start],
+            place.mul_add(Q::constant(armature[d]), combined(if HINGE { n } else { f }, z)),
+            H,
+        );
         carry(&mut F[start].0, n, f, r);
     }
     for k in start + 1..end {
@@ -205,9 +209,11 @@ fn free_root<T: Real, Q: Quad<T>>(
         [nz, o, hx, o],
         [hy, nx, o, o],
     ];
-    let own = [[nz, hy, o, o], [o, nx, o, o], [hx, o, o, o], [o; 4], [mass + d1, o, o, o], [o, mass + d2, o, o]];
+    let own =
+        [[nz, hy, o, o], [o, nx, o, o], [hx, o, o, o], [o; 4], [mass + d1, o, o, o], [o, mass + d2, o, o]];
     for (row, own) in second.iter_mut().zip(own) {
-        *row = (Q::from_slice(row) + Q::of(own)).numbers();
+        let others = if m.last { Q::ZERO } else { Q::from_slice(row) };
+        *row = (others + Q::of(own)).numbers();
     }
     let (row_0, H) = H[d * stride..].split_at_mut(stride);
     let (row_1, H) = H.split_at_mut(stride);
@@ -310,7 +316,8 @@ fn load<T: Real, Q: Quad<T>>([h, x, y, z]: &[[T; 4]; 4]) -> Moments<Q> {
 #[inline(always)]
 fn put<T: Real, Q: Quad<T>>(F: &mut Columns<T>, m: &Member<T>, here: Q, n: Q, f: Q) -> (Vec3<Q>, Vec3<Q>) {
     let ([nx, ny, nz, _], [fx, fy, fz, _]) = (n.each(), f.each());
-    let (mut n, mut f) = (Vec3::new(here * nx, here * ny, here * nz), Vec3::new(here * fx, here * fy, here * fz));
+    let (mut n, mut f) =
+        (Vec3::new(here * nx, here * ny, here * nz), Vec3::new(here * fx, here * fy, here * fz));
     if !m.last {
         let (n0, f0) = load_columns::<T, Q>(F);
         (n, f) = (n + n0, f + f0);

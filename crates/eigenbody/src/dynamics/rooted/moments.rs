@@ -79,7 +79,8 @@ impl<Q> Moments<Q> {
         let (x, y, z) = (self.P.x.numbers(), self.P.y.numbers(), self.P.z.numbers());
         let diagonal = Q::of([x[0], y[1], z[2], T::ZERO]).yzx();
         let sums = diagonal + diagonal.yzx();
-        let (x, y, z) = ([T::ZERO, x[1], x[2], x[3]], [y[0], T::ZERO, y[2], y[3]], [z[0], z[1], T::ZERO, z[3]]);
+        let (x, y, z) =
+            ([T::ZERO, x[1], x[2], x[3]], [y[0], T::ZERO, y[2], y[3]], [z[0], z[1], T::ZERO, z[3]]);
         let Vec3 { x: wx, y: wy, z: wz } = components::<T, Q>(w);
         wx.mul_add(-Q::of(x), wy.mul_add(-Q::of(y), wz.mul_add(-Q::of(z), sums * Q::from_slice(w))))
     }
