@@ -86,7 +86,13 @@ struct Entry {
     for (const auto& [name, convention] : {std::pair{"local", pin::Convention::LOCAL}, {"world", pin::Convention::WORLD}}) {
       const std::string head = robot.name + " ", tail = std::string("-") + name;
       const auto how = convention;
-      quantities[head + "crba" + tail] = {[this, how](std::size_t k) { pin::crba(model, *data, q[k], how); }, mass};
+      quantities[head + "upper" + tail] = {[this, how](std::size_t k) { pin::crba(model, *data, q[k], how); }, mass};
+      // Both triangles, as ours and others give them.
+      const auto both = [this, how](std::size_t k) {
+        pin::crba(model, *data, q[k], how);
+        data->M.triangularView<Eigen::StrictlyLower>() = data->M.transpose();
+      };
+      quantities[head + "crba" + tail] = {both, mass};
       quantities[head + "aba" + tail] = {[this, how](std::size_t k) { pin::aba(model, *data, q[k], v[k], x[k], how); },
                                          [this] { return vector(data->ddq); }};
       const auto extremes = [this, how](std::size_t k) {

@@ -4,9 +4,11 @@ use std::error::Error;
 
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, forward_dynamics_into,
-    inverse_dynamics_into, mass_matrix_into,
+    inverse_dynamics_into, mass_matrix_into, mass_matrix_upper_into,
 };
-use eigenbody::spectrum::{EndsWorkspace, extreme_eigenvalues_into};
+use eigenbody::spectrum::{
+    EndsAtWorkspace, EndsWorkspace, Metric, extreme_eigenvalues_at, extreme_eigenvalues_into,
+};
 use eigenbody::{Matrix, Model};
 
 use crate::Outcome;
@@ -26,6 +28,8 @@ pub struct Ours<'a> {
     /// B = 1, and room for both ends of the spectrum.
     ones: Vec<f64>,
     room: EndsWorkspace<f64>,
+    /// Both ends without H.
+    at: EndsAtWorkspace<f64>,
     ends: [f64; 2],
     out: Vec<f64>,
 }
@@ -43,6 +47,7 @@ impl<'a> Ours<'a> {
             given: matrices(robot)?,
             ones: vec![1.0; nv],
             room: EndsWorkspace::new(nv),
+            at: EndsAtWorkspace::new(model, &Metric::Euclidean)?,
             ends: [0.0; 2],
             out: vec![0.0; nv],
         })
@@ -51,20 +56,18 @@ impl<'a> Ours<'a> {
 
 impl Contestant for Ours<'_> {
     fn quantities(&self) -> &'static [&'static str] {
-        &["crba", "rnea", "aba", "bias", "extremes", "conditioning", "eigenvalues"]
+        &["upper", "crba", "rnea", "aba", "bias", "extremes", "conditioning", "eigenvalues"]
     }
 
     fn compute(&mut self, quantity: &str, sample: usize, Sample { q, v, x }: &Sample) -> Outcome {
-        let Self { model, crba, rnea, aba, H, given, out, ones, room, ends } = self;
+        let Self { model, crba, rnea, aba, H, given, out, ones, room, at, ends } = self;
         match quantity {
+            "upper" => mass_matrix_upper_into(model, q, crba, H)?,
             "crba" => mass_matrix_into(model, q, crba, H)?,
             "rnea" => inverse_dynamics_into(model, q, v, x, rnea, out)?,
             "aba" => forward_dynamics_into(model, q, v, x, aba, out)?,
             "bias" => bias_force_into(model, q, v, rnea, out)?,
-            "extremes" => {
-                mass_matrix_into(model, q, crba, H)?;
-                *ends = extreme_eigenvalues_into(H, ones, room)?;
-            }
+            "extremes" => *ends = extreme_eigenvalues_at(model, q, at)?,
             "conditioning" => {
                 mass_matrix_into(model, q, crba, H)?;
                 let [min, max] = extreme_eigenvalues_into(H, ones, room)?;
@@ -81,6 +84,10 @@ impl Contestant for Ours<'_> {
 
     fn value(&mut self, quantity: &str) -> Vec<f64> {
         match quantity {
+            "upper" => {
+                let nv = self.H.rows();
+                Matrix::from_fn(nv, nv, |d, e| self.H[(d.min(e), d.max(e))]).as_slice().to_vec()
+            }
             "crba" => self.H.as_slice().to_vec(),
             "extremes" | "conditioning" | "eigenvalues" => self.ends.to_vec(),
             _ => self.out.clone(),

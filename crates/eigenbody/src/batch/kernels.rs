@@ -1,7 +1,8 @@
 //! H, τ and v̇ of a group of configurations.
 
 use super::mass::{Columns, Layout};
-use super::turn::{self, from_lanes, into_lanes};
+use super::table::{Table, TableMut};
+use super::turn;
 use super::{AbaWorkspace, GROUP, Kernel, RneaWorkspace};
 use crate::dynamics::{Aba, Rnea};
 use crate::error::{Error, NotPositiveDefinite};
@@ -15,7 +16,7 @@ pub struct Masses<'a, T> {
     pub(super) layout: &'a Layout,
     /// Which entry each number of the result is.
     pub(super) places: &'a [u32],
-    pub(super) H: &'a mut [T],
+    pub(super) H: TableMut<'a, T>,
 }
 
 impl<T: Batched> Kernel<T> for Masses<'_, T> {
@@ -38,7 +39,7 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         (): &mut (),
     ) {
         columns.update(model, self.layout, q);
-        from_lanes(&columns.H, self.places, lanes, &mut self.H[first * self.places.len()..]);
+        self.H.from_lanes(&columns.H, self.places, first, lanes);
     }
 }
 
@@ -46,9 +47,9 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Inverse<'a, T> {
-    pub(super) v: &'a [T],
-    pub(super) vdot: &'a [T],
-    pub(super) tau: &'a mut [T],
+    pub(super) v: Table<'a, T>,
+    pub(super) vdot: Table<'a, T>,
+    pub(super) tau: TableMut<'a, T>,
 }
 
 /// A workspace, and v, v̇ or τ, and the result in lanes.
@@ -88,10 +89,10 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         (): &mut (),
     ) {
         let nv = model.nv();
-        into_lanes(&self.v[first * nv..], nv, lanes, v);
-        into_lanes(&self.vdot[first * nv..], nv, lanes, given);
+        self.v.into_lanes(first, nv, lanes, v);
+        self.vdot.into_lanes(first, nv, lanes, given);
         Rnea { model, q, v, vdot: given, workspace, tau: found }.sweep::<W>();
-        from_lanes(found, places, lanes, &mut self.tau[first * nv..]);
+        self.tau.from_lanes(found, places, first, lanes);
     }
 }
 
@@ -99,9 +100,9 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Forward<'a, T> {
-    pub(super) v: &'a [T],
-    pub(super) tau: &'a [T],
-    pub(super) vdot: &'a mut [T],
+    pub(super) v: Table<'a, T>,
+    pub(super) tau: Table<'a, T>,
+    pub(super) vdot: TableMut<'a, T>,
 }
 
 impl<T: Batched> Kernel<T> for Forward<'_, T> {
@@ -125,10 +126,10 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
         failed: &mut Option<(usize, Error)>,
     ) {
         let nv = model.nv();
-        into_lanes(&self.v[first * nv..], nv, lanes, v);
-        into_lanes(&self.tau[first * nv..], nv, lanes, given);
+        self.v.into_lanes(first, nv, lanes, v);
+        self.tau.into_lanes(first, nv, lanes, given);
         Aba { model, q, v, tau: given, workspace, vdot: found }.sweep::<W>();
-        from_lanes(found, places, lanes, &mut self.vdot[first * nv..]);
+        self.vdot.from_lanes(found, places, first, lanes);
         if failed.is_none() && !all_positive(workspace.pivots()) {
             *failed = first_bad(model, workspace.pivots(), lanes).map(|(lane, error)| (first + lane, error));
         }

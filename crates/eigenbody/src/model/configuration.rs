@@ -22,6 +22,20 @@ pub(crate) fn check<T: Real>(what: &'static str, x: &[T], expected: usize) -> Re
     Err(InputError::NotFinite { what, index })
 }
 
+/// Whether a quaternion's norm is near enough to 1.
+#[inline]
+pub(crate) fn is_unit<T: Real>(quaternion: [T; 4]) -> bool {
+    // Mostly the square is near enough, and no root has to be taken.
+    let square = squares(quaternion);
+    (square - 1.0).abs() <= QUATERNION_TOLERANCE || (square.sqrt() - 1.0).abs() <= QUATERNION_TOLERANCE
+}
+
+#[inline]
+fn squares<T: Real>(x: [T; 4]) -> f64 {
+    let [x, y, z, w] = x.map(T::to_f64);
+    x * x + y * y + z * z + w * w
+}
+
 impl<T: Real> Model<T> {
     /// Refuses a q of the wrong length, with a number that is not finite, or with a quaternion that is not a unit one.
     pub fn check_q(&self, q: &[T]) -> Result<(), InputError> {
@@ -33,8 +47,9 @@ impl<T: Real> Model<T> {
     pub(crate) fn check_quaternions(&self, q: &[T]) -> Result<(), InputError> {
         for &(joint, index) in &self.mechanism.quaternions {
             let index = index as usize;
-            let norm = q[index..index + 4].iter().map(|x| x.to_f64().powi(2)).sum::<f64>().sqrt();
-            if (norm - 1.0).abs() > QUATERNION_TOLERANCE {
+            let quaternion = [q[index], q[index + 1], q[index + 2], q[index + 3]];
+            if !is_unit(quaternion) {
+                let norm = squares(quaternion).sqrt();
                 let joint = self.joints[joint as usize].name.to_string();
                 return Err(InputError::NotUnitQuaternion { joint, index, norm });
             }
