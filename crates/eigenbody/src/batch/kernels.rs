@@ -14,8 +14,8 @@ use crate::scalar::{Batched, Real, Scalar, Wide};
 #[allow(missing_debug_implementations)]
 pub struct Masses<'a, T> {
     pub(super) layout: &'a Layout,
-    /// Which entry each number of the result is.
-    pub(super) places: &'a [u32],
+    /// Which entry each number of the result is, if not all in order.
+    pub(super) places: Option<&'a [u32]>,
     pub(super) H: TableMut<'a, T>,
 }
 
@@ -39,7 +39,10 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         (): &mut (),
     ) {
         columns.update(model, self.layout, q);
-        self.H.from_lanes(&columns.H, self.places, first, lanes);
+        match self.places {
+            Some(places) => self.H.from_places(&columns.H, places, first, lanes),
+            None => self.H.from_lanes(&columns.H, self.layout.entries, first, lanes),
+        }
     }
 }
 
@@ -58,14 +61,12 @@ pub(super) struct Room<K, W> {
     v: Vec<W>,
     given: Vec<W>,
     found: Vec<W>,
-    /// 0..nv.
-    places: Vec<u32>,
 }
 
-impl<K, W: Scalar> Room<K, W> {
+impl<K, W: Wide> Room<K, W> {
     fn new(workspace: K, nv: usize) -> Self {
-        let (v, given, found) = (turn::room(nv), turn::room(nv), vec![W::ZERO; nv]);
-        Self { workspace, v, given, found, places: (0..nv as u32).collect() }
+        let (v, given, found) = (turn::room(nv), turn::room(nv), turn::room(nv));
+        Self { workspace, v, given, found }
     }
 }
 
@@ -85,14 +86,14 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         q: &[W],
         first: usize,
         lanes: usize,
-        Room { workspace, v, given, found, places }: &mut Self::Room<W>,
+        Room { workspace, v, given, found }: &mut Self::Room<W>,
         (): &mut (),
     ) {
         let nv = model.nv();
         self.v.into_lanes(first, nv, lanes, v);
         self.vdot.into_lanes(first, nv, lanes, given);
         Rnea { model, q, v, vdot: given, workspace, tau: found }.sweep::<W>();
-        self.tau.from_lanes(found, places, first, lanes);
+        self.tau.from_lanes(found, nv, first, lanes);
     }
 }
 
@@ -122,14 +123,14 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
         q: &[W],
         first: usize,
         lanes: usize,
-        Room { workspace, v, given, found, places }: &mut Self::Room<W>,
+        Room { workspace, v, given, found }: &mut Self::Room<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
         let nv = model.nv();
         self.v.into_lanes(first, nv, lanes, v);
         self.tau.into_lanes(first, nv, lanes, given);
         Aba { model, q, v, tau: given, workspace, vdot: found }.sweep::<W>();
-        self.vdot.from_lanes(found, places, first, lanes);
+        self.vdot.from_lanes(found, nv, first, lanes);
         if failed.is_none() && !all_positive(workspace.pivots()) {
             *failed = first_bad(model, workspace.pivots(), lanes).map(|(lane, error)| (first + lane, error));
         }

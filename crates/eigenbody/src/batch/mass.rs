@@ -29,8 +29,8 @@ pub(super) struct Layout {
     pub packed: Vec<u32>,
     /// By place in pre-order: the degree of freedom.
     order: Vec<u32>,
-    /// All entries of the columns, without the zero: 0, 1, 2..
-    pub all: Vec<u32>,
+    /// How many entries all columns have, the zero not counted.
+    pub entries: usize,
 }
 
 impl Layout {
@@ -72,12 +72,12 @@ impl Layout {
             }
         }
         let order = order.into_iter().map(|d| d as u32).collect();
-        Self { nv, rank, subtree, start, places, packed, order, all: (0..entries).collect() }
+        Self { nv, rank, subtree, start, places, packed, order, entries: entries as usize }
     }
 
     /// Row and column of every entry.
     pub fn pairs(&self) -> Vec<(usize, usize)> {
-        let ends = self.start.iter().skip(1).copied().chain([self.all.len() as u32]);
+        let ends = self.start.iter().skip(1).copied().chain([self.entries as u32]);
         let columns = self.start.iter().zip(ends).enumerate();
         let column =
             |(e, (&start, end)): (usize, (&u32, u32))| (0..(end - start) as usize).map(move |k| (e + k, e));
@@ -120,7 +120,7 @@ impl<W: Wide> Columns<W> {
             posture: Posture::new(&model.mechanism),
             Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
             F: vec![Force::ZERO; layout.nv],
-            H: vec![W::ZERO; layout.all.len() + 1],
+            H: vec![W::ZERO; (layout.entries + 1).max(W::WIDTH)],
         }
     }
 

@@ -187,7 +187,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// Errors: [`BatchError`]; `H` then holds no result.
     pub fn mass_matrices(&self, q: &[T], H: &mut [T]) -> Result<(), BatchError> {
         let layout = &Layout::new(self.model);
-        self.masses("H", q, layout, &layout.places, H)
+        self.masses("H", q, layout, Some(&layout.places), H)
     }
 
     /// The entries (d, e) of H that [`mass_matrix_entries`](Self::mass_matrix_entries) gives, in its order: e on the path from the root to
@@ -220,7 +220,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// ```
     pub fn mass_matrix_entries(&self, q: &[T], entries: &mut [T]) -> Result<(), BatchError> {
         let layout = &Layout::new(self.model);
-        self.masses("entries", q, layout, &layout.all, entries)
+        self.masses("entries", q, layout, None, entries)
     }
 
     /// τ = H(q) v̇ + C(q, v) of every state.
@@ -287,12 +287,12 @@ impl<'m, T: Lanes> Batch<'m, T> {
         what: &'static str,
         q: &[T],
         layout: &Layout,
-        places: &[u32],
+        places: Option<&[u32]>,
         H: &mut [T],
     ) -> Result<(), BatchError> {
         let Self { model, unit, order } = *self;
         model.check_dense().map_err(BatchError::Shape)?;
-        let (count, nq, size) = (self.count(q)?, model.nq(), places.len());
+        let (count, nq, size) = (self.count(q)?, model.nq(), places.map_or(layout.entries, <[u32]>::len));
         length(what, H.len(), count * size)?;
         let chunk = chunk(count);
         let parts = order.parts(q, nq, count, chunk).into_par_iter();

@@ -102,24 +102,48 @@ impl<T: Scalar> Table<'_, T> {
 }
 
 impl<T: Scalar> TableMut<'_, T> {
-    /// Number j of configuration `first` + l is lane l of `x[places[j]]`.
+    /// Number j of configuration `first` + l, of `n`, is lane l of `x[j]`. `x` comes from [`turn::room`].
     #[inline(always)]
-    pub(super) fn from_lanes<W: Wide<Constant = T>>(&mut self, x: &[W], places: &[u32], first: usize, lanes: usize) {
+    pub(super) fn from_lanes<W: Wide<Constant = T>>(&mut self, x: &[W], n: usize, first: usize, lanes: usize) {
         match self {
-            Self::Rows(rows) => turn::from_lanes(x, places, lanes, &mut rows[first * places.len()..]),
+            Self::Rows(rows) => turn::from_lanes(x, n, lanes, &mut rows[first * n..]),
             Self::Columns(columns) => {
-                for (column, &place) in columns.iter_mut().zip(places) {
-                    let x = x[place as usize];
-                    if lanes == W::WIDTH {
-                        x.to_slice(&mut column[first..]);
-                    } else {
-                        let mut numbers = [T::ZERO; MOST_LANES];
-                        x.to_slice(&mut numbers);
-                        column[first..first + lanes].copy_from_slice(&numbers[..lanes]);
-                    }
+                for (column, &x) in columns.iter_mut().zip(x) {
+                    put(x, column, first, lanes);
                 }
             }
         }
+    }
+
+    /// Number j of configuration `first` + l is lane l of `x[places[j]]`.
+    #[inline(always)]
+    pub(super) fn from_places<W: Wide<Constant = T>>(
+        &mut self,
+        x: &[W],
+        places: &[u32],
+        first: usize,
+        lanes: usize,
+    ) {
+        match self {
+            Self::Rows(rows) => turn::from_places(x, places, lanes, &mut rows[first * places.len()..]),
+            Self::Columns(columns) => {
+                for (column, &place) in columns.iter_mut().zip(places) {
+                    put(x[place as usize], column, first, lanes);
+                }
+            }
+        }
+    }
+}
+
+/// The first `lanes` numbers of a register.
+#[inline(always)]
+fn put<W: Wide>(x: W, column: &mut [W::Constant], first: usize, lanes: usize) {
+    if lanes == W::WIDTH {
+        x.to_slice(&mut column[first..]);
+    } else {
+        let mut numbers = [<W::Constant as Scalar>::ZERO; MOST_LANES];
+        x.to_slice(&mut numbers);
+        column[first..first + lanes].copy_from_slice(&numbers[..lanes]);
     }
 }
 

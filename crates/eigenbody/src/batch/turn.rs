@@ -5,73 +5,148 @@ use crate::scalar::{MOST_LANES, Scalar, Wide};
 /// Numbers that are turned at once.
 const BLOCK: usize = 4;
 
-/// Room for `n` values in lanes, whole blocks.
-pub(super) fn room<W: Scalar>(n: usize) -> Vec<W> {
-    vec![W::ZERO; n.next_multiple_of(BLOCK)]
+/// Room for `n` values in lanes, and for whole registers of them at least.
+pub(super) fn room<W: Wide>(n: usize) -> Vec<W> {
+    vec![W::ZERO; n.max(W::WIDTH)]
 }
 
-/// Rows of `n` numbers into lanes; where there are fewer rows than lanes the last row is repeated. `out` comes from [`room`].
+/// Rows of `n` numbers into lanes; where there are fewer rows than lanes the last row is repeated.
 #[inline(always)]
-pub(super) fn into_lanes<W: Wide>(rows: &[W::Constant], n: usize, lanes: usize, out: &mut [W]) {
-    let mut at = [0; MOST_LANES];
-    for (lane, at) in at.iter_mut().enumerate() {
-        *at = lane.min(lanes - 1) * n;
+pub(super) fn into_lanes<W: Wide>(x: &[W::Constant], n: usize, lanes: usize, out: &mut [W]) {
+    let (Some(last), true) = (n.checked_sub(BLOCK), lanes == W::WIDTH) else {
+        return few_into_lanes(x, n, lanes, out);
+    };
+    let mut rows: [&[W::Constant]; MOST_LANES] = [&[]; MOST_LANES];
+    let mut rest = x;
+    for row in &mut rows[..W::WIDTH] {
+        (*row, rest) = rest.split_at(n);
     }
-    // A block may reach into the row after its own, whose numbers then stand beyond the first n, but not beyond the last row.
-    let whole = if lanes * n + BLOCK <= rows.len() { n } else { n / BLOCK * BLOCK };
-    let (blocks, rest) = out.split_at_mut(whole.next_multiple_of(BLOCK));
-    for out in blocks.chunks_exact_mut(BLOCK) {
-        out.copy_from_slice(&W::gather(rows, &at));
-        for at in &mut at {
-            *at += BLOCK;
-        }
-    }
-    let mut buffer = [<W::Constant as Scalar>::ZERO; MOST_LANES];
-    for (j, out) in rest[..n - whole].iter_mut().enumerate() {
-        for (number, at) in buffer.iter_mut().zip(&at) {
-            *number = rows[at + j];
-        }
-        *out = W::from_slice(&buffer);
+    let out = &mut out[..n];
+    let mut first = 0;
+    while first < n {
+        // The last block may meet the one before it.
+        let at = first.min(last);
+        out[at..at + BLOCK].copy_from_slice(&W::gather(&rows, at));
+        first += BLOCK;
     }
 }
 
-/// Lanes into rows of as many numbers as there are `places`: number j of row l is lane l of `x[places[j]]`.
+/// Lanes into rows of `n` numbers: number j of row l is lane l of `x[j]`, `x` from [`room`].
 #[inline(always)]
-pub(super) fn from_lanes<W: Wide>(x: &[W], places: &[u32], lanes: usize, rows: &mut [W::Constant]) {
-    let (n, width) = (places.len(), W::WIDTH);
-    let mut at = [0; MOST_LANES];
-    // A few rows from beginning to end: whole lines of memory, one after the other.
-    let mut lane = 0;
-    while lane < lanes {
-        let mut first = 0;
-        while first < n {
-            // The last block overlaps the one before it. Where a row is shorter than a block the block reaches into the rows after its
-            // own, which are written later.
-            let j = first.min(n.saturating_sub(width));
-            for (k, at) in at[..width].iter_mut().enumerate() {
-                *at = places[(j + k).min(n - 1)] as usize;
-            }
-            for (k, row) in W::turn(x, &at, lane).into_iter().enumerate() {
-                if lane + k < lanes {
-                    write(row, &mut rows[(lane + k) * n + j..]);
+pub(super) fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W::Constant]) {
+    if lanes < W::WIDTH || W::WIDTH < BLOCK {
+        return few_from_lanes(x, n, lanes, out);
+    }
+    let Some(last) = n.checked_sub(W::WIDTH) else {
+        return short_from_lanes(x, n, out);
+    };
+    let out = &mut out[..W::WIDTH * n];
+    let mut first = 0;
+    while first < n {
+        let at = first.min(last);
+        let x = &x[at..at + W::WIDTH];
+        let mut rest = &mut out[at..];
+        for quarter in 0..W::WIDTH / BLOCK {
+            for (k, row) in turned(x, BLOCK * quarter).into_iter().enumerate() {
+                row.to_slice(rest);
+                if BLOCK * quarter + k + 1 < W::WIDTH {
+                    rest = &mut rest[n..];
                 }
             }
-            first += width;
         }
-        lane += BLOCK;
+        first += W::WIDTH;
     }
 }
 
-/// As many numbers as there is room for.
+/// The same from any of the values: number j of row l is lane l of `x[places[j]]`.
 #[inline(always)]
-fn write<W: Wide>(x: W, out: &mut [W::Constant]) {
-    if out.len() >= W::WIDTH {
-        x.to_slice(out);
-    } else {
-        let mut buffer = [<W::Constant as Scalar>::ZERO; MOST_LANES];
-        x.to_slice(&mut buffer);
-        for (out, &number) in out.iter_mut().zip(&buffer) {
-            *out = number;
+pub(super) fn from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &mut [W::Constant]) {
+    let n = places.len();
+    let (Some(last), true) = (n.checked_sub(W::WIDTH), lanes == W::WIDTH && W::WIDTH >= BLOCK) else {
+        return few_from_places(x, places, lanes, out);
+    };
+    // A few rows from beginning to end: whole lines of memory, one after the other.
+    let mut rest = out;
+    for quarter in 0..W::WIDTH / BLOCK {
+        let (a, others) = rest.split_at_mut(n);
+        let (b, others) = others.split_at_mut(n);
+        let (c, others) = others.split_at_mut(n);
+        let (d, others) = others.split_at_mut(n);
+        rest = others;
+        let mut first = 0;
+        while first < n {
+            let at = first.min(last);
+            let mut values = [&x[0]; MOST_LANES];
+            for (value, &place) in values.iter_mut().zip(&places[at..at + W::WIDTH]) {
+                *value = &x[place as usize];
+            }
+            let [p, q, r, s] = W::turn(&values, BLOCK * quarter);
+            p.to_slice(&mut a[at..]);
+            q.to_slice(&mut b[at..]);
+            r.to_slice(&mut c[at..]);
+            s.to_slice(&mut d[at..]);
+            first += W::WIDTH;
+        }
+    }
+}
+
+/// Rows shorter than a register: what it reaches into is written later, but for the last row's.
+#[inline(always)]
+fn short_from_lanes<W: Wide>(x: &[W], n: usize, out: &mut [W::Constant]) {
+    if out.len() < (W::WIDTH - 1) * n + W::WIDTH {
+        return few_from_lanes(x, n, W::WIDTH, out);
+    }
+    let mut rest = out;
+    for quarter in 0..W::WIDTH / BLOCK {
+        for row in turned(x, BLOCK * quarter) {
+            row.to_slice(rest);
+            rest = &mut rest[n..];
+        }
+    }
+}
+
+/// Lanes from `first` on of as many values as a register holds.
+#[inline(always)]
+fn turned<W: Wide>(x: &[W], first: usize) -> [W; BLOCK] {
+    let mut values = [&x[0]; MOST_LANES];
+    for k in 0..W::WIDTH {
+        values[k] = &x[k];
+    }
+    W::turn(&values, first)
+}
+
+#[cold]
+#[inline(never)]
+fn few_into_lanes<W: Wide>(x: &[W::Constant], n: usize, lanes: usize, out: &mut [W]) {
+    for (j, out) in out[..n].iter_mut().enumerate() {
+        let mut numbers = [W::Constant::ZERO; MOST_LANES];
+        for (lane, number) in numbers[..W::WIDTH].iter_mut().enumerate() {
+            *number = x[lane.min(lanes - 1) * n + j];
+        }
+        *out = W::from_slice(&numbers);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn few_from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W::Constant]) {
+    for (j, x) in x[..n].iter().enumerate() {
+        let mut numbers = [W::Constant::ZERO; MOST_LANES];
+        x.to_slice(&mut numbers);
+        for (lane, &number) in numbers[..lanes].iter().enumerate() {
+            out[lane * n + j] = number;
+        }
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn few_from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &mut [W::Constant]) {
+    for (j, &place) in places.iter().enumerate() {
+        let mut numbers = [W::Constant::ZERO; MOST_LANES];
+        x[place as usize].to_slice(&mut numbers);
+        for (lane, &number) in numbers[..lanes].iter().enumerate() {
+            out[lane * places.len() + j] = number;
         }
     }
 }

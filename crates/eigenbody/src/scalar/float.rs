@@ -73,14 +73,14 @@ macro_rules! float {
                 out[0] = self;
             }
             #[inline(always)]
-            fn gather(from: &[Self], at: &[usize; MOST_LANES]) -> [Self; 4] {
-                let from = &from[at[0]..at[0] + 4];
-                [from[0], from[1], from[2], from[3]]
+            fn gather(rows: &[&[Self]; MOST_LANES], first: usize) -> [Self; 4] {
+                let row = &rows[0][first..first + 4];
+                [row[0], row[1], row[2], row[3]]
             }
             /// There is one lane: the other three numbers mean nothing.
             #[inline(always)]
-            fn turn(x: &[Self], at: &[usize; MOST_LANES], _: usize) -> [Self; 4] {
-                [x[at[0]]; 4]
+            fn turn(x: &[&Self; MOST_LANES], _: usize) -> [Self; 4] {
+                [*x[0]; 4]
             }
         }
 

@@ -24,10 +24,10 @@ pub trait Wide: Scalar<Stored = Self> {
     fn from_slice(x: &[Self::Constant]) -> Self;
     /// Into the first [`WIDTH`](Self::WIDTH) places of a slice.
     fn to_slice(self, out: &mut [Self::Constant]);
-    /// Four numbers from each of [`WIDTH`](Self::WIDTH) places: lane l of number k is `from[at[l] + k]`.
-    fn gather(from: &[Self::Constant], at: &[usize; MOST_LANES]) -> [Self; 4];
-    /// Four lanes from `first` on of each of [`WIDTH`](Self::WIDTH) values: lane j of number k is lane `first + k` of `x[at[j]]`.
-    fn turn(x: &[Self], at: &[usize; MOST_LANES], first: usize) -> [Self; 4];
+    /// Four numbers from `first` on of each of [`WIDTH`](Self::WIDTH) rows: lane l of number k is `rows[l][first + k]`.
+    fn gather(rows: &[&[Self::Constant]; MOST_LANES], first: usize) -> [Self; 4];
+    /// Four lanes from `first` on of each of [`WIDTH`](Self::WIDTH) values: lane j of number k is lane `first + k` of `x[j]`.
+    fn turn(x: &[&Self; MOST_LANES], first: usize) -> [Self; 4];
 }
 
 /// Lanes of the widest unit.
@@ -290,20 +290,20 @@ impl<const N: usize, T: Real> Wide for Array<N, T> {
     fn to_slice(self, out: &mut [T]) {
         out[..N].copy_from_slice(&self.0);
     }
-    fn gather(from: &[T], at: &[usize; MOST_LANES]) -> [Self; 4] {
+    fn gather(rows: &[&[T]; MOST_LANES], first: usize) -> [Self; 4] {
         let mut out = [Self::ZERO; 4];
         for (k, out) in out.iter_mut().enumerate() {
             for l in 0..N {
-                out.0[l] = from[at[l] + k];
+                out.0[l] = rows[l][first + k];
             }
         }
         out
     }
-    fn turn(x: &[Self], at: &[usize; MOST_LANES], first: usize) -> [Self; 4] {
+    fn turn(x: &[&Self; MOST_LANES], first: usize) -> [Self; 4] {
         let mut out = [Self::ZERO; 4];
         for (k, out) in out.iter_mut().enumerate() {
             for j in 0..N {
-                out.0[j] = x[at[j]].0[(first + k) % N];
+                out.0[j] = x[j].0[(first + k) % N];
             }
         }
         out

@@ -203,13 +203,13 @@ mod tests {
         type Output = (usize, Vec<T>, Vec<T>);
         #[inline(always)]
         fn run<W: Wide<Constant = T>>(self) -> Self::Output {
-            let mut at = [0; MOST_LANES];
-            for (lane, at) in at.iter_mut().enumerate() {
-                *at = 7 * (lane * 5 % MOST_LANES);
+            let mut rows: [&[T]; MOST_LANES] = [&[]; MOST_LANES];
+            for (lane, row) in rows.iter_mut().enumerate() {
+                *row = &self.0[7 * (lane * 5 % MOST_LANES)..];
             }
             let mut numbers = [T::ZERO; MOST_LANES];
             let mut out = [Vec::new(), Vec::new()];
-            let gathered = W::gather(self.0, &at);
+            let gathered = W::gather(&rows, 2);
             for x in gathered {
                 x.to_slice(&mut numbers);
                 out[0].extend(&numbers[..W::WIDTH]);
@@ -218,11 +218,12 @@ mod tests {
             for (k, value) in values.iter_mut().enumerate() {
                 *value = W::from_slice(&self.0[k * MOST_LANES..]);
             }
-            for (k, at) in at.iter_mut().enumerate() {
-                *at = k * 3 % MOST_LANES;
+            let mut chosen = [&W::ZERO; MOST_LANES];
+            for (k, chosen) in chosen.iter_mut().enumerate() {
+                *chosen = &values[k * 3 % MOST_LANES];
             }
             for first in (0..W::WIDTH).step_by(4) {
-                for x in W::turn(&values, &at, first) {
+                for x in W::turn(&chosen, first) {
                     x.to_slice(&mut numbers);
                     out[1].extend(&numbers[..W::WIDTH]);
                 }
@@ -238,7 +239,7 @@ mod tests {
             let (width, gathered, turned) = T::dispatch_wide(unit, Turns(&numbers));
             for (place, x) in gathered.iter().enumerate() {
                 let (k, lane) = (place / width, place % width);
-                assert_eq!(x.to_f64(), (7 * (lane * 5 % MOST_LANES) + k) as f64, "{unit:?}");
+                assert_eq!(x.to_f64(), (7 * (lane * 5 % MOST_LANES) + 2 + k) as f64, "{unit:?}");
             }
             for (place, x) in turned.iter().enumerate().take(width * width) {
                 let (lane, j) = (place / width, place % width);

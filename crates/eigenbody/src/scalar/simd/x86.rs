@@ -165,18 +165,17 @@ macro_rules! register {
                 out[..$N].copy_from_slice(&self.numbers());
             }
             #[inline(always)]
-            fn gather(from: &[$T], at: &[usize; MOST_LANES]) -> [Self; 4] {
-                Self::four(from, at)
+            fn gather(rows: &[&[$T]; MOST_LANES], first: usize) -> [Self; 4] {
+                Self::four(rows, first)
             }
             #[inline(always)]
-            fn turn(x: &[Self], at: &[usize; MOST_LANES], first: usize) -> [Self; 4] {
-                // SAFETY: promise 2; a register of $N numbers is $N numbers in memory, without gaps.
-                let numbers = unsafe { std::slice::from_raw_parts(x.as_ptr().cast::<$T>(), $N * x.len()) };
-                let mut places = [0; MOST_LANES];
+            fn turn(x: &[&Self; MOST_LANES], first: usize) -> [Self; 4] {
+                let mut rows: [&[$T]; MOST_LANES] = [&[]; MOST_LANES];
                 for j in 0..$N {
-                    places[j] = $N * at[j] + first;
+                    // SAFETY: promise 2; a register of $N numbers is $N numbers in memory, without gaps.
+                    rows[j] = unsafe { std::slice::from_raw_parts(std::ptr::from_ref(x[j]).cast::<$T>(), $N) };
                 }
-                Self::four(numbers, &places)
+                Self::four(&rows, first)
             }
         }
     };
@@ -390,17 +389,17 @@ numbers_at!(four_f32, f32, 4, __m128);
 
 impl F64x8 {
     #[inline(always)]
-    fn four(from: &[f64], at: &[usize; MOST_LANES]) -> [Self; 4] {
-        macro_rules! rows {
+    fn four(rows: &[&[f64]; MOST_LANES], first: usize) -> [Self; 4] {
+        macro_rules! parts {
             ($a:literal, $b:literal) => {
                 _mm512_insertf64x4::<1>(
-                    _mm512_castpd256_pd512(four_f64(from, at[$a])),
-                    four_f64(from, at[$b]),
+                    _mm512_castpd256_pd512(four_f64(rows[$a], first)),
+                    four_f64(rows[$b], first),
                 )
             };
         }
         unsafe {
-            let (a, b, c, d) = (rows!(0, 2), rows!(1, 3), rows!(4, 6), rows!(5, 7));
+            let (a, b, c, d) = (parts!(0, 2), parts!(1, 3), parts!(4, 6), parts!(5, 7));
             let (ab, cd) = (_mm512_unpacklo_pd(a, b), _mm512_unpacklo_pd(c, d));
             let (ba, dc) = (_mm512_unpackhi_pd(a, b), _mm512_unpackhi_pd(c, d));
             [
@@ -415,17 +414,17 @@ impl F64x8 {
 
 impl F64x4 {
     #[inline(always)]
-    fn four(from: &[f64], at: &[usize; MOST_LANES]) -> [Self; 4] {
-        macro_rules! rows {
+    fn four(rows: &[&[f64]; MOST_LANES], first: usize) -> [Self; 4] {
+        macro_rules! parts {
             ($a:literal, $b:literal, $k:literal) => {
                 _mm256_insertf128_pd::<1>(
-                    _mm256_castpd128_pd256(two_f64(from, at[$a] + $k)),
-                    two_f64(from, at[$b] + $k),
+                    _mm256_castpd128_pd256(two_f64(rows[$a], first + $k)),
+                    two_f64(rows[$b], first + $k),
                 )
             };
         }
         unsafe {
-            let (a, b, c, d) = (rows!(0, 2, 0), rows!(1, 3, 0), rows!(0, 2, 2), rows!(1, 3, 2));
+            let (a, b, c, d) = (parts!(0, 2, 0), parts!(1, 3, 0), parts!(0, 2, 2), parts!(1, 3, 2));
             [
                 Self(_mm256_unpacklo_pd(a, b)),
                 Self(_mm256_unpackhi_pd(a, b)),
@@ -456,18 +455,18 @@ macro_rules! turn_fours {
 
 impl F32x16 {
     #[inline(always)]
-    fn four(from: &[f32], at: &[usize; MOST_LANES]) -> [Self; 4] {
-        macro_rules! rows {
+    fn four(rows: &[&[f32]; MOST_LANES], first: usize) -> [Self; 4] {
+        macro_rules! parts {
             ($l:literal) => {{
-                let x = _mm512_castps128_ps512(four_f32(from, at[$l]));
-                let x = _mm512_insertf32x4::<1>(x, four_f32(from, at[$l + 4]));
-                let x = _mm512_insertf32x4::<2>(x, four_f32(from, at[$l + 8]));
-                _mm512_insertf32x4::<3>(x, four_f32(from, at[$l + 12]))
+                let x = _mm512_castps128_ps512(four_f32(rows[$l], first));
+                let x = _mm512_insertf32x4::<1>(x, four_f32(rows[$l + 4], first));
+                let x = _mm512_insertf32x4::<2>(x, four_f32(rows[$l + 8], first));
+                _mm512_insertf32x4::<3>(x, four_f32(rows[$l + 12], first))
             }};
         }
         unsafe {
             turn_fours!(
-                [rows!(0), rows!(1), rows!(2), rows!(3)],
+                [parts!(0), parts!(1), parts!(2), parts!(3)],
                 _mm512_unpacklo_ps,
                 _mm512_unpackhi_ps,
                 _mm512_unpacklo_pd,
@@ -481,18 +480,18 @@ impl F32x16 {
 
 impl F32x8 {
     #[inline(always)]
-    fn four(from: &[f32], at: &[usize; MOST_LANES]) -> [Self; 4] {
-        macro_rules! rows {
+    fn four(rows: &[&[f32]; MOST_LANES], first: usize) -> [Self; 4] {
+        macro_rules! parts {
             ($l:literal) => {
                 _mm256_insertf128_ps::<1>(
-                    _mm256_castps128_ps256(four_f32(from, at[$l])),
-                    four_f32(from, at[$l + 4]),
+                    _mm256_castps128_ps256(four_f32(rows[$l], first)),
+                    four_f32(rows[$l + 4], first),
                 )
             };
         }
         unsafe {
             turn_fours!(
-                [rows!(0), rows!(1), rows!(2), rows!(3)],
+                [parts!(0), parts!(1), parts!(2), parts!(3)],
                 _mm256_unpacklo_ps,
                 _mm256_unpackhi_ps,
                 _mm256_unpacklo_pd,
@@ -506,10 +505,10 @@ impl F32x8 {
 
 impl F32x4 {
     #[inline(always)]
-    fn four(from: &[f32], at: &[usize; MOST_LANES]) -> [Self; 4] {
+    fn four(rows: &[&[f32]; MOST_LANES], first: usize) -> [Self; 4] {
         unsafe {
             turn_fours!(
-                [four_f32(from, at[0]), four_f32(from, at[1]), four_f32(from, at[2]), four_f32(from, at[3])],
+                [four_f32(rows[0], first), four_f32(rows[1], first), four_f32(rows[2], first), four_f32(rows[3], first)],
                 _mm_unpacklo_ps,
                 _mm_unpackhi_ps,
                 _mm_unpacklo_pd,
