@@ -20,7 +20,7 @@ use crate::error::{Error, NotPositiveDefinite};
 use crate::joint::Column;
 use crate::model::{Model, MotionKind, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
-use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ};
+use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ, Vec3};
 
 /// Room for [`forward_dynamics_into`].
 #[derive(Debug, Clone)]
@@ -191,6 +191,7 @@ fn inwards<S: Scalar>(
         match m.motion {
             MotionKind::Hinge => eliminate.unit::<2>(d),
             MotionKind::Slide => eliminate.unit::<5>(d),
+            MotionKind::Other if m.is_free_root() => eliminate.all(d),
             MotionKind::Other => {
                 for (d, &column) in (d..d + m.joint.nv()).zip(m.joint.columns()).rev() {
                     eliminate.column(d, column, posture.S[d].map(S::load));
@@ -244,6 +245,13 @@ fn outwards<S: Scalar>(
         match m.motion {
             MotionKind::Hinge => a_i.ang.z += accelerate::<S>(d, a_i, hinges, qdd),
             MotionKind::Slide => a_i.lin.z += accelerate::<S>(d, a_i, hinges, qdd),
+            MotionKind::Other if m.is_free_root() => {
+                let mut x = [S::ZERO; 6];
+                for ((qdd, x), hinge) in qdd[d..d + 6].iter_mut().zip(&mut x).zip(&hinges[d..d + 6]) {
+                    (*qdd, *x) = (hinge.u, S::load(hinge.u));
+                }
+                a_i = Motion::new(Vec3::new(x[0], x[1], x[2]), Vec3::new(x[3], x[4], x[5]));
+            }
             MotionKind::Other => {
                 for (d, &column) in (d..).zip(m.joint.columns()) {
                     let qdd_d = accelerate::<S>(d, a_i, hinges, qdd);
@@ -285,6 +293,42 @@ impl<S: Scalar> Eliminate<'_, S> {
         *self.p += U * (D_inverse * u);
         self.hinges[d] = Hinge { u: u.store(), U: U.map(S::store), D_inverse: D_inverse.store() };
         self.D[d] = D.store();
+    }
+
+    /// Six DoFs from d on whose columns are the unit vectors, of a body that the world carries: u becomes q̈, and U no longer matters.
+    ///
+    /// ```text
+    /// L D Lᵀ q̈ = τ − p,   the last row first
+    /// ```
+    #[inline(always)]
+    fn all(&mut self, d: usize) {
+        let (mut A, mut u) = (self.IA.rows(), self.p.to_array());
+        for (k, u) in u.iter_mut().enumerate() {
+            A[k][k] += S::constant(self.armature[d + k]);
+            *u = S::load(self.tau[d + k]) - *u;
+        }
+        for k in (0..6).rev() {
+            let U = A[k];
+            let D_inverse = S::ONE / U[k];
+            self.D[d + k] = U[k].store();
+            u[k] *= D_inverse;
+            for e in 0..k {
+                let L = U[e] * D_inverse;
+                for f in 0..=e {
+                    A[e][f] = U[f].mul_add(-L, A[e][f]);
+                }
+                u[e] = U[e].mul_add(-u[k], u[e]);
+                A[k][e] = L;
+            }
+        }
+        for k in 1..6 {
+            for e in 0..k {
+                u[k] = A[k][e].mul_add(-u[e], u[k]);
+            }
+        }
+        for (hinge, u) in self.hinges[d..d + 6].iter_mut().zip(u) {
+            hinge.u = u.store();
+        }
     }
 
     /// DoF d with any column.

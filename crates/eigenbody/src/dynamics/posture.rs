@@ -65,7 +65,7 @@ impl<T: Scalar> Posture<T> {
         }
         for i in 0..self.X.len() {
             let m = &mechanism.members[i];
-            if m.motion == MotionKind::Other && (FREE || !is_free_root(m)) {
+            if m.motion == MotionKind::Other && (FREE || !m.is_free_root()) {
                 self.place::<S>(i, m, q);
             }
         }
@@ -106,10 +106,6 @@ impl<T: Scalar> Posture<T> {
         let X = self.X[i].map(S::load);
         Placed { E: X.E, r: X.r }
     }
-}
-
-fn is_free_root<T>(m: &Member<T>) -> bool {
-    m.parent == 0 && matches!(m.joint, Joint::Floating)
 }
 
 /// From the parent to a body on a slide, which stands q along z.

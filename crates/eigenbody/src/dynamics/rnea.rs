@@ -15,6 +15,7 @@
 use super::posture::{Posture, position, slide};
 use super::rooted;
 use crate::error::InputError;
+use crate::joint::Joint;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
@@ -170,6 +171,11 @@ pub(super) fn rnea<S: Scalar>(
         match m.motion {
             MotionKind::Hinge => tau[d] = (f_i.ang.z + armature(d)).store(),
             MotionKind::Slide => tau[d] = (f_i.lin.z + armature(d)).store(),
+            MotionKind::Other if matches!(m.joint, Joint::Floating) => {
+                for (tau, (d, f)) in tau[d..d + 6].iter_mut().zip((d..).zip(f_i.to_array())) {
+                    *tau = (f + armature(d)).store();
+                }
+            }
             MotionKind::Other => {
                 for (d, &column) in (d..).zip(m.joint.columns()) {
                     let S_d = posture.S[d].map(S::load);
@@ -214,6 +220,10 @@ pub(super) fn forces<S: Scalar>(
                 with_twist!(m, C: S => hinge::<S, _>(ThenZ { turn, first: C }, m, rate, up, out))
             }
             MotionKind::Slide => sliding::<S>(slide(m, q), m, (S::load(qd[d]), S::load(qdd[d])), up, out),
+            MotionKind::Other if matches!(m.joint, Joint::Floating) => {
+                let [qd, qdd] = [qd, qdd].map(|x| six::<S>(&x[d..]));
+                floating(posture.placed::<S>(i), m, (qd, qdd), up, out)
+            }
             MotionKind::Other => other::<S>(posture, i, m, qd, qdd, up, out),
         };
         f[i + 1] = force.map(S::store);
@@ -248,6 +258,32 @@ fn sliding<S: Scalar>(
     let twice = qd + qd;
     let a = Vec3::new(omega.y.mul_add(twice, a.x), a.y - omega.x * twice, a.z + qdd);
     finish(m, omega, alpha, a, out)
+}
+
+/// A free body: v_J = q̇.
+#[inline(always)]
+fn floating<S: Scalar>(
+    X_up: Placed<S, Mat3<S>>,
+    m: &Member<S::Constant>,
+    (v_J, a_J): (Motion<S>, Motion<S>),
+    up: &Moving<S::Stored>,
+    out: &mut Moving<S::Stored>,
+) -> Force<S> {
+    let (omega_p, alpha_p, a_p) = carried(m, X_up, up);
+    if m.parent == 0 {
+        return finish(m, v_J.ang, a_J.ang, a_p + a_J.lin + v_J.ang.cross(v_J.lin), out);
+    }
+    let omega = omega_p + v_J.ang;
+    let alpha = alpha_p + a_J.ang + omega_p.cross(v_J.ang);
+    finish(m, omega, alpha, a_p + a_J.lin + (omega_p + omega).cross(v_J.lin), out)
+}
+
+/// Six numbers as a motion.
+#[inline(always)]
+fn six<S: Scalar>(x: &[S::Stored]) -> Motion<S> {
+    let x = &x[..6];
+    let load = |k: usize| S::load(x[k]);
+    Motion::new(Vec3::new(load(0), load(1), load(2)), Vec3::new(load(3), load(4), load(5)))
 }
 
 /// Any joint, by its columns.

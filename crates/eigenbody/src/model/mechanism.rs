@@ -90,6 +90,14 @@ pub(crate) struct Member<T> {
     pub joint: Joint<T>,
 }
 
+impl<T> Member<T> {
+    /// Whether it moves freely in the world.
+    #[inline(always)]
+    pub fn is_free_root(&self) -> bool {
+        self.parent == 0 && matches!(self.joint, Joint::Floating)
+    }
+}
+
 /// Where a body stands among those that its parent carries, and what it carries itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Place {

@@ -25,6 +25,20 @@ impl<T: Scalar> ArticulatedInertia<T> {
         Force { ang: self.I * v.ang + self.H * v.lin, lin: self.H.transpose_times(v.ang) + self.M * v.lin }
     }
 
+    /// The lower triangle, by rows; what stands beyond the diagonal has no meaning.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> [[T; 6]; 6] {
+        let (Self { I, H, M }, o) = (*self, T::ZERO);
+        [
+            [I.xx, o, o, o, o, o],
+            [I.xy, I.yy, o, o, o, o],
+            [I.xz, I.yz, I.zz, o, o, o],
+            [H.x.x, H.y.x, H.z.x, M.xx, o, o],
+            [H.x.y, H.y.y, H.z.y, M.xy, M.yy, o],
+            [H.x.z, H.y.z, H.z.z, M.xz, M.yz, M.zz],
+        ]
+    }
+
     /// IA − U Uᵀ s: one hinge eliminated, s = 1/D.
     #[inline(always)]
     pub fn minus_outer(&self, U: Force<T>, s: T) -> Self {

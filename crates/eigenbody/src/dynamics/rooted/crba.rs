@@ -11,7 +11,6 @@
 use super::moments::Moments;
 use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
-use crate::joint::Joint;
 use crate::matrix::Rows;
 use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
@@ -92,7 +91,7 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
             MotionKind::Other => {
                 let (start, end) = (m.blocks.start as usize, m.blocks.end as usize);
                 let (F, blocks) = (&mut F[start..end], &blocks[start..end]);
-                if m.parent == 0 && matches!(m.joint, Joint::Floating) {
+                if m.is_free_root() {
                     free_root::<T, Q>(m, &Ic, armature, (F, blocks), (&mut *H, stride));
                     continue;
                 }

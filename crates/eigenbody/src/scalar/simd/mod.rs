@@ -218,7 +218,7 @@ mod tests {
             for (k, value) in values.iter_mut().enumerate() {
                 *value = W::from_slice(&self.0[k * MOST_LANES..]);
             }
-            let mut chosen = [&W::ZERO; MOST_LANES];
+            let mut chosen = [&values[0]; MOST_LANES];
             for (k, chosen) in chosen.iter_mut().enumerate() {
                 *chosen = &values[k * 3 % MOST_LANES];
             }
