@@ -1,7 +1,6 @@
 //! λmin, λmax and κ′ of a group of configurations: from the matrices, side by side, as far as those know them.
 
 use super::mass::{Columns, Layout};
-use super::table::Table;
 use super::{GROUP, Kernel};
 use crate::conditioning::Values;
 use crate::error::Error;
@@ -15,7 +14,7 @@ const TOGETHER: usize = 20;
 
 /// What is asked of every configuration.
 pub(super) struct Spectra<'a> {
-    pub q: Table<'a, f64>,
+    pub q: &'a [f64],
     pub layout: &'a Layout,
     pub metric: &'a Metric<f64>,
     /// B of every DoF; of no meaning in the unit-diagonal metric.
@@ -120,8 +119,8 @@ impl Kernel<f64> for Spectra<'_> {
                 self.out[k] = found;
                 continue;
             }
-            let q = self.q.row(k, model.nq());
-            match by_counts(model, &q, self.metric, self.weights, weighted) {
+            let q = &self.q[k * model.nq()..][..model.nq()];
+            match by_counts(model, q, self.metric, self.weights, weighted) {
                 Ok(values) => self.out[k] = values,
                 Err(error) => {
                     failed.get_or_insert((k, error));

@@ -1,8 +1,7 @@
 //! H, τ and v̇ of a group of configurations.
 
 use super::mass::{Columns, Layout};
-use super::table::{Table, TableMut};
-use super::turn;
+use super::turn::{self, from_lanes, from_places, into_lanes};
 use super::{AbaWorkspace, GROUP, Kernel, RneaWorkspace};
 use crate::dynamics::{Aba, Rnea};
 use crate::error::{Error, NotPositiveDefinite};
@@ -16,7 +15,7 @@ pub struct Masses<'a, T> {
     pub(super) layout: &'a Layout,
     /// Which entry each number of the result is, if not all in order.
     pub(super) places: Option<&'a [u32]>,
-    pub(super) H: TableMut<'a, T>,
+    pub(super) H: &'a mut [T],
 }
 
 impl<T: Batched> Kernel<T> for Masses<'_, T> {
@@ -39,9 +38,9 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         (): &mut (),
     ) {
         columns.update(model, self.layout, q);
-        match self.places {
-            Some(places) => self.H.from_places(&columns.H, places, first, lanes),
-            None => self.H.from_lanes(&columns.H, self.layout.entries, first, lanes),
+        match (self.places, self.layout.entries) {
+            (Some(places), _) => from_places(&columns.H, places, lanes, &mut self.H[first * places.len()..]),
+            (None, n) => from_lanes(&columns.H, n, lanes, &mut self.H[first * n..]),
         }
     }
 }
@@ -50,9 +49,9 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Inverse<'a, T> {
-    pub(super) v: Table<'a, T>,
-    pub(super) vdot: Table<'a, T>,
-    pub(super) tau: TableMut<'a, T>,
+    pub(super) v: &'a [T],
+    pub(super) vdot: &'a [T],
+    pub(super) tau: &'a mut [T],
 }
 
 /// A workspace, and v, v̇ or τ, and the result in lanes.
@@ -90,10 +89,10 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         (): &mut (),
     ) {
         let nv = model.nv();
-        self.v.into_lanes(first, nv, lanes, v);
-        self.vdot.into_lanes(first, nv, lanes, given);
+        into_lanes(&self.v[first * nv..], nv, lanes, v);
+        into_lanes(&self.vdot[first * nv..], nv, lanes, given);
         Rnea { model, q, v, vdot: given, workspace, tau: found }.sweep::<W>();
-        self.tau.from_lanes(found, nv, first, lanes);
+        from_lanes(found, nv, lanes, &mut self.tau[first * nv..]);
     }
 }
 
@@ -101,9 +100,9 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Forward<'a, T> {
-    pub(super) v: Table<'a, T>,
-    pub(super) tau: Table<'a, T>,
-    pub(super) vdot: TableMut<'a, T>,
+    pub(super) v: &'a [T],
+    pub(super) tau: &'a [T],
+    pub(super) vdot: &'a mut [T],
 }
 
 impl<T: Batched> Kernel<T> for Forward<'_, T> {
@@ -127,10 +126,10 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
         failed: &mut Option<(usize, Error)>,
     ) {
         let nv = model.nv();
-        self.v.into_lanes(first, nv, lanes, v);
-        self.tau.into_lanes(first, nv, lanes, given);
+        into_lanes(&self.v[first * nv..], nv, lanes, v);
+        into_lanes(&self.tau[first * nv..], nv, lanes, given);
         Aba { model, q, v, tau: given, workspace, vdot: found }.sweep::<W>();
-        self.vdot.from_lanes(found, nv, first, lanes);
+        from_lanes(found, nv, lanes, &mut self.vdot[first * nv..]);
         if failed.is_none() && !all_positive(workspace.pivots()) {
             *failed = first_bad(model, workspace.pivots(), lanes).map(|(lane, error)| (first + lane, error));
         }

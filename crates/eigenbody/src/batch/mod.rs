@@ -5,28 +5,24 @@
 //!     for each group of W configurations:    x ← one configuration a lane;    y ← kernel(x);    one result a lane ← y
 //! ```
 //! The kernels are those of [`dynamics`](crate::dynamics) and [`spectrum`](crate::spectrum), over lanes instead of numbers. Arrays
-//! are in the caller's memory, in either [`Order`]: one configuration after the other, which has to be turned into lanes, or one coordinate
-//! after the other, which has not. Groups are the same however many threads there are, and so
+//! are row-major, one configuration after the other, in the caller's memory. Groups are the same however many threads there are, and so
 //! are the numbers. Every call allocates its workspaces anew: batches of a hundred configurations and more make up for that.
 
 mod ends;
 mod kernels;
 mod mass;
-mod table;
 mod turn;
 
 use crate::conditioning::Values;
 use crate::dynamics::{AbaWorkspace, RneaWorkspace};
 use crate::error::{Error, InputError};
-use crate::model::{Model, check, is_unit};
+use crate::model::{Model, check};
 use crate::scalar::{Batched, MOST_LANES, Unit, Wide, WideAlgorithm};
 use crate::spectrum::Metric;
 use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
 use mass::Layout;
 use rayon::prelude::*;
-pub use table::Order;
-use table::Table;
 
 /// Configurations of the widest group: chunks are multiples of it.
 const GROUP: usize = MOST_LANES;
@@ -65,7 +61,6 @@ pub enum BatchError {
 pub struct Batch<'m, T> {
     model: &'m Model<T>,
     unit: Unit,
-    order: Order,
 }
 
 impl Batch<'_, f64> {
@@ -124,21 +119,17 @@ impl Batch<'_, f64> {
         weighted: bool,
         values: &mut [Values],
     ) -> Result<(), BatchError> {
-        let Self { model, unit, order } = *self;
+        let Self { model, unit } = *self;
         model.check_dense().map_err(BatchError::Shape)?;
         let ones = vec![1.0; model.nv()];
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
-        let (nq, count, weights, layout) =
-            (model.nq(), values.len(), weights.as_slice(), &Layout::new(model));
-        let chunk = chunk(count);
-        let parts = || order.parts(q, nq, count, chunk).into_par_iter();
-        let failed: Vec<Option<(usize, Error)>> = parts()
-            .zip(parts())
-            .zip(values.par_chunks_mut(chunk))
-            .map(|((q, asked), out)| {
-                let count = out.len();
-                let kernel = Spectra { q: asked, layout, metric, weights, weighted, accuracy, out };
-                f64::dispatch_wide(unit, Over { model, q, count, kernel })
+        let (nq, chunk, weights, layout) =
+            (model.nq(), chunk(values.len()), weights.as_slice(), &Layout::new(model));
+        let failed: Vec<Option<(usize, Error)>> = chunks(q, chunk * nq)
+            .zip(chunks_mut(values, chunk))
+            .map(|(q, out)| {
+                let kernel = Spectra { q, layout, metric, weights, weighted, accuracy, out };
+                f64::dispatch_wide(unit, Over { model, q, kernel })
             })
             .collect();
         first(failed, chunk)
@@ -148,31 +139,12 @@ impl Batch<'_, f64> {
 impl<'m, T: Lanes> Batch<'m, T> {
     /// On the widest unit of this processor.
     pub fn new(model: &'m Model<T>) -> Self {
-        Self { model, unit: Unit::widest(), order: Order::Rows }
+        Self { model, unit: Unit::widest() }
     }
 
     /// On no wider a unit than this: for comparisons.
     pub fn on(self, unit: Unit) -> Self {
         Self { unit, ..self }
-    }
-
-    /// With every array in this order.
-    ///
-    /// ```
-    /// use eigenbody::batch::{Batch, Order};
-    /// use eigenbody::{Family, Model};
-    /// let arm: Model<f64> = Family::hydra(2, 1.0, 0.4, 1.0)?.model()?;
-    /// // Both joints of three configurations, and the same by joints.
-    /// let (rows, columns) = ([0.1, 0.2, 0.3, 0.4, 0.5, 0.6], [0.1, 0.3, 0.5, 0.2, 0.4, 0.6]);
-    /// let (mut H, mut H_by_entries) = ([0.0; 12], [0.0; 12]);
-    /// Batch::new(&arm).mass_matrices(&rows, &mut H)?;
-    /// Batch::new(&arm).ordered(Order::Columns).mass_matrices(&columns, &mut H_by_entries)?;
-    /// // H_00 of the last configuration.
-    /// assert_eq!(H[8], H_by_entries[2]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn ordered(self, order: Order) -> Self {
-        Self { order, ..self }
     }
 
     /// H(q) of every configuration.
@@ -235,17 +207,16 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ///
     /// Errors: [`BatchError`]; `tau` then holds no result.
     pub fn inverse_dynamics(&self, q: &[T], v: &[T], vdot: &[T], tau: &mut [T]) -> Result<(), BatchError> {
-        let Self { model, unit, order } = *self;
+        let Self { model, unit } = *self;
         let count = self.count(q)?;
         let (nq, nv) = (model.nq(), model.nv());
         self.check_v("v", v, count)?;
         self.check_v("vdot", vdot, count)?;
         length("tau", tau.len(), count * nv)?;
         let chunk = chunk(count);
-        let [v, vdot] = [v, vdot].map(|x| order.parts(x, nv, count, chunk));
-        let states = order.parts(q, nq, count, chunk).into_par_iter().zip(v).zip(vdot);
-        states.zip(order.parts_mut(tau, nv, count, chunk)).enumerate().for_each(|(k, (((q, v), vdot), tau))| {
-            T::inverse(model, unit, q, chunk.min(count - k * chunk), Inverse { v, vdot, tau });
+        let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(vdot, chunk * nv));
+        states.zip(chunks_mut(tau, chunk * nv)).for_each(|(((q, v), vdot), tau)| {
+            T::inverse(model, unit, q, Inverse { v, vdot, tau });
         });
         Ok(())
     }
@@ -262,26 +233,22 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ///
     /// Errors: [`BatchError`], also where a hinge inertia is not positive; `vdot` then holds no result.
     pub fn forward_dynamics(&self, q: &[T], v: &[T], tau: &[T], vdot: &mut [T]) -> Result<(), BatchError> {
-        let Self { model, unit, order } = *self;
+        let Self { model, unit } = *self;
         let count = self.count(q)?;
         let (nq, nv) = (model.nq(), model.nv());
         self.check_v("v", v, count)?;
         self.check_v("tau", tau, count)?;
         length("vdot", vdot.len(), count * nv)?;
         let chunk = chunk(count);
-        let [v, tau] = [v, tau].map(|x| order.parts(x, nv, count, chunk));
-        let states = order.parts(q, nq, count, chunk).into_par_iter().zip(v).zip(tau);
+        let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(tau, chunk * nv));
         let failed: Vec<Option<(usize, Error)>> = states
-            .zip(order.parts_mut(vdot, nv, count, chunk))
-            .enumerate()
-            .map(|(k, (((q, v), tau), vdot))| {
-                T::forward(model, unit, q, chunk.min(count - k * chunk), Forward { v, tau, vdot })
-            })
+            .zip(chunks_mut(vdot, chunk * nv))
+            .map(|(((q, v), tau), vdot)| T::forward(model, unit, q, Forward { v, tau, vdot }))
             .collect();
         first(failed, chunk)
     }
 
-    /// The entries at these places.
+    /// The entries at these places, or all of them.
     fn masses(
         &self,
         what: &'static str,
@@ -290,15 +257,13 @@ impl<'m, T: Lanes> Batch<'m, T> {
         places: Option<&[u32]>,
         H: &mut [T],
     ) -> Result<(), BatchError> {
-        let Self { model, unit, order } = *self;
+        let Self { model, unit } = *self;
         model.check_dense().map_err(BatchError::Shape)?;
         let (count, nq, size) = (self.count(q)?, model.nq(), places.map_or(layout.entries, <[u32]>::len));
         length(what, H.len(), count * size)?;
         let chunk = chunk(count);
-        let parts = order.parts(q, nq, count, chunk).into_par_iter();
-        parts.zip(order.parts_mut(H, size, count, chunk)).enumerate().for_each(|(k, (q, H))| {
-            T::masses(model, unit, q, chunk.min(count - k * chunk), Masses { layout, places, H });
-        });
+        let parts = chunks(q, chunk * nq).zip(chunks_mut(H, chunk * size));
+        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { layout, places, H }));
         Ok(())
     }
 
@@ -313,12 +278,16 @@ impl<'m, T: Lanes> Batch<'m, T> {
                 found: q.len(),
             }));
         }
-        if self.all_finite(q, nq, count) && self.all_unit(q, nq, count) {
+        let unit = self.unit;
+        let is_good = |q: &[T]| {
+            let mut quaternions = q.chunks_exact(nq.max(1)).map(|q| model.check_quaternions(q).is_ok());
+            T::all_finite(unit, q) && (model.mechanism.quaternions.is_empty() || quaternions.all(|good| good))
+        };
+        if chunks(q, chunk(count) * nq).all(is_good) {
             return Ok(count);
         }
-        for index in 0..count {
-            let found = model.check_q(&self.order.row(q, index, nq, count));
-            found.map_err(|error| BatchError::Configuration { index, error: error.into() })?;
+        for (index, q) in q.chunks_exact(nq.max(1)).enumerate() {
+            model.check_q(q).map_err(|error| BatchError::Configuration { index, error: error.into() })?;
         }
         Ok(count)
     }
@@ -327,34 +296,16 @@ impl<'m, T: Lanes> Batch<'m, T> {
     fn check_v(&self, what: &'static str, v: &[T], count: usize) -> Result<(), BatchError> {
         let nv = self.model.nv();
         length(what, v.len(), count * nv)?;
-        if self.all_finite(v, nv, count) {
+        if chunks(v, chunk(count) * nv).all(|v| T::all_finite(self.unit, v)) {
             return Ok(());
         }
-        for index in 0..count {
-            let found = check(what, &self.order.row(v, index, nv, count), nv);
-            found.map_err(|error| BatchError::Configuration { index, error: error.into() })?;
-        }
-        Ok(())
-    }
-
-    fn all_finite(&self, x: &[T], n: usize, count: usize) -> bool {
-        x.par_chunks((chunk(count) * n).max(1)).all(|x| T::all_finite(self.unit, x))
-    }
-
-    /// That all quaternions are unit ones.
-    fn all_unit(&self, q: &[T], nq: usize, count: usize) -> bool {
-        let model = self.model;
-        let none = model.mechanism.quaternions.is_empty();
-        none || match self.order {
-            Order::Rows => q
-                .par_chunks((chunk(count) * nq).max(1))
-                .all(|q| q.chunks_exact(nq).all(|q| model.check_quaternions(q).is_ok())),
-            Order::Columns => model.mechanism.quaternions.iter().all(|&(_, index)| {
-                let column = |j: usize| &q[(index as usize + j) * count..][..count];
-                let [x, y, z, w] = [0, 1, 2, 3].map(column);
-                (0..count).all(|k| is_unit([x[k], y[k], z[k], w[k]]))
-            }),
-        }
+        check(what, v, v.len()).map_err(|error| match error {
+            InputError::NotFinite { what, index } => BatchError::Configuration {
+                index: index / nv,
+                error: InputError::NotFinite { what, index: index % nv }.into(),
+            },
+            error => BatchError::Shape(error),
+        })
     }
 }
 
@@ -374,6 +325,14 @@ fn chunk(count: usize) -> usize {
     count.div_ceil(chunks).next_multiple_of(GROUP).max(CHUNK)
 }
 
+fn chunks<T: Sync>(x: &[T], size: usize) -> rayon::slice::Chunks<'_, T> {
+    x.par_chunks(size.max(1))
+}
+
+fn chunks_mut<T: Send>(x: &mut [T], size: usize) -> rayon::slice::ChunksMut<'_, T> {
+    x.par_chunks_mut(size.max(1))
+}
+
 /// The first failure in the order of the configurations.
 fn first(failed: Vec<Option<(usize, Error)>>, chunk: usize) -> Result<(), BatchError> {
     let found = failed.into_iter().enumerate().find_map(|(k, failure)| Some((k, failure?)));
@@ -388,15 +347,14 @@ pub trait Lanes: Batched {
     #[doc(hidden)]
     fn all_finite(unit: Unit, x: &[Self]) -> bool;
     #[doc(hidden)]
-    fn masses(model: &Model<Self>, unit: Unit, q: Table<'_, Self>, count: usize, kernel: Masses<'_, Self>);
+    fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>);
     #[doc(hidden)]
-    fn inverse(model: &Model<Self>, unit: Unit, q: Table<'_, Self>, count: usize, kernel: Inverse<'_, Self>);
+    fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>);
     #[doc(hidden)]
     fn forward(
         model: &Model<Self>,
         unit: Unit,
-        q: Table<'_, Self>,
-        count: usize,
+        q: &[Self],
         kernel: Forward<'_, Self>,
     ) -> Option<(usize, Error)>;
 }
@@ -407,20 +365,19 @@ macro_rules! lanes {
             fn all_finite(unit: Unit, x: &[Self]) -> bool {
                 Self::dispatch_wide(unit, Finite { x })
             }
-            fn masses(model: &Model<Self>, unit: Unit, q: Table<'_, Self>, count: usize, kernel: Masses<'_, Self>) {
-                Self::dispatch_wide(unit, Over { model, q, count, kernel });
+            fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) {
+                Self::dispatch_wide(unit, Over { model, q, kernel });
             }
-            fn inverse(model: &Model<Self>, unit: Unit, q: Table<'_, Self>, count: usize, kernel: Inverse<'_, Self>) {
-                Self::dispatch_wide(unit, Over { model, q, count, kernel });
+            fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) {
+                Self::dispatch_wide(unit, Over { model, q, kernel });
             }
             fn forward(
                 model: &Model<Self>,
                 unit: Unit,
-                q: Table<'_, Self>,
-                count: usize,
+                q: &[Self],
                 kernel: Forward<'_, Self>,
             ) -> Option<(usize, Error)> {
-                Self::dispatch_wide(unit, Over { model, q, count, kernel })
+                Self::dispatch_wide(unit, Over { model, q, kernel })
             }
         }
     };
@@ -459,8 +416,7 @@ impl<T: Batched> WideAlgorithm<T> for Finite<'_, T> {
 /// A kernel over the configurations of a chunk.
 struct Over<'a, T, K> {
     model: &'a Model<T>,
-    q: Table<'a, T>,
-    count: usize,
+    q: &'a [T],
     kernel: K,
 }
 
@@ -489,13 +445,14 @@ impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
 
     #[inline(always)]
     fn run<W: Wide<Constant = T>>(mut self) -> K::Output {
-        let (model, nq, count) = (self.model, self.model.nq(), self.count);
+        let (model, nq) = (self.model, self.model.nq());
+        let count = self.q.len().checked_div(nq).unwrap_or(0);
         let mut q = turn::room(nq);
         let (mut room, mut output) = (self.kernel.room::<W>(model), K::Output::default());
         let mut first = 0;
         while first < count {
             let lanes = W::WIDTH.min(count - first);
-            self.q.into_lanes(first, nq, lanes, &mut q);
+            turn::into_lanes(&self.q[first * nq..], nq, lanes, &mut q);
             self.kernel.group(model, &q, first, lanes, &mut room, &mut output);
             first += W::WIDTH;
         }

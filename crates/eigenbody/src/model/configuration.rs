@@ -24,7 +24,7 @@ pub(crate) fn check<T: Real>(what: &'static str, x: &[T], expected: usize) -> Re
 
 /// Whether a quaternion's norm is near enough to 1.
 #[inline]
-pub(crate) fn is_unit<T: Real>(quaternion: [T; 4]) -> bool {
+fn is_unit<T: Real>(quaternion: [T; 4]) -> bool {
     // Mostly the square is near enough, and no root has to be taken.
     let square = squares(quaternion);
     (square - 1.0).abs() <= QUATERNION_TOLERANCE || (square.sqrt() - 1.0).abs() <= QUATERNION_TOLERANCE
