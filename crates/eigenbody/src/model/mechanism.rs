@@ -207,7 +207,7 @@ impl<T: Real> Mechanism<T> {
                     };
                     (gamma.then(own), twist, C)
                 }
-                MotionKind::Slide => (Turn::NONE, Twist::Any, own.matrix() * E),
+                MotionKind::Slide => (Turn::NONE, Twist::Any, own.matrix() * Euler::new(E).matrix()),
                 MotionKind::Other if E == Mat3::IDENTITY => (Turn::NONE, Twist::Straight, E),
                 MotionKind::Other => (Turn::NONE, Twist::Any, E),
             };
@@ -400,5 +400,10 @@ impl<T: Real> Euler<T> {
         // The first column of what is left is (cos γ, −sin γ, 0).
         let left = E * beta.matrix().transpose();
         Self { gamma: Turn::new(-left.y.x, left.x.x), alpha, beta }
+    }
+
+    /// E again, with round turns round: what is left of π/2 − π/2, squared, would be slow to compute with in single precision.
+    fn matrix(&self) -> Mat3<T> {
+        self.gamma.matrix() * self.alpha.about_x() * self.beta.matrix()
     }
 }
