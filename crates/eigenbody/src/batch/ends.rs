@@ -1,7 +1,7 @@
 //! λmin, λmax and κ′ of a group of configurations: from the matrices, side by side, as far as those know them.
 
 use super::mass::{Columns, Layout};
-use super::{GROUP, Kernel};
+use super::{Faults, GROUP, Kernel};
 use crate::conditioning::Values;
 use crate::error::Error;
 use crate::model::Model;
@@ -69,6 +69,7 @@ impl Kernel<f64> for Spectra<'_> {
         first: usize,
         lanes: usize,
         Room { columns, one, two, units, own }: &mut Room<W>,
+        _: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
         let layout = self.layout;

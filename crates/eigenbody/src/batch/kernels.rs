@@ -2,7 +2,7 @@
 
 use super::mass::{Columns, Layout};
 use super::turn::{self, from_lanes, from_places, into_lanes};
-use super::{AbaWorkspace, GROUP, Kernel, RneaWorkspace};
+use super::{AbaWorkspace, Faults, GROUP, Kernel, RneaWorkspace};
 use crate::dynamics::{Aba, Rnea};
 use crate::error::{Error, NotPositiveDefinite};
 use crate::model::Model;
@@ -35,6 +35,7 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         first: usize,
         lanes: usize,
         columns: &mut Columns<W>,
+        _: &mut Faults<W>,
         (): &mut (),
     ) {
         columns.update(model, self.layout, q);
@@ -86,11 +87,14 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         first: usize,
         lanes: usize,
         Room { workspace, v, given, found }: &mut Self::Room<W>,
+        faults: &mut Faults<W>,
         (): &mut (),
     ) {
         let nv = model.nv();
         into_lanes(&self.v[first * nv..], nv, lanes, v);
         into_lanes(&self.vdot[first * nv..], nv, lanes, given);
+        faults.look_at(&v[..nv]);
+        faults.look_at(&given[..nv]);
         Rnea { model, q, v, vdot: given, workspace, tau: found }.sweep::<W>();
         from_lanes(found, nv, lanes, &mut self.tau[first * nv..]);
     }
@@ -123,11 +127,14 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
         first: usize,
         lanes: usize,
         Room { workspace, v, given, found }: &mut Self::Room<W>,
+        faults: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
         let nv = model.nv();
         into_lanes(&self.v[first * nv..], nv, lanes, v);
         into_lanes(&self.tau[first * nv..], nv, lanes, given);
+        faults.look_at(&v[..nv]);
+        faults.look_at(&given[..nv]);
         Aba { model, q, v, tau: given, workspace, vdot: found }.sweep::<W>();
         from_lanes(found, nv, lanes, &mut self.vdot[first * nv..]);
         if failed.is_none() && !all_positive(workspace.pivots()) {

@@ -16,8 +16,8 @@ mod turn;
 use crate::conditioning::Values;
 use crate::dynamics::{AbaWorkspace, RneaWorkspace};
 use crate::error::{Error, InputError};
-use crate::model::{Model, check};
-use crate::scalar::{Batched, MOST_LANES, Unit, Wide, WideAlgorithm};
+use crate::model::{Model, QUATERNION_TOLERANCE, check};
+use crate::scalar::{Batched, MOST_LANES, Scalar, Unit, Wide, WideAlgorithm};
 use crate::spectrum::Metric;
 use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
@@ -125,13 +125,14 @@ impl Batch<'_, f64> {
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
         let (nq, chunk, weights, layout) =
             (model.nq(), chunk(values.len()), weights.as_slice(), &Layout::new(model));
-        let failed: Vec<Option<(usize, Error)>> = chunks(q, chunk * nq)
+        let (fit, failed): (Vec<bool>, Vec<_>) = chunks(q, chunk * nq)
             .zip(chunks_mut(values, chunk))
             .map(|(q, out)| {
                 let kernel = Spectra { q, layout, metric, weights, weighted, accuracy, out };
                 f64::dispatch_wide(unit, Over { model, q, kernel })
             })
-            .collect();
+            .unzip();
+        self.check(fit, q, &[])?;
         first(failed, chunk)
     }
 }
@@ -210,15 +211,14 @@ impl<'m, T: Lanes> Batch<'m, T> {
         let Self { model, unit } = *self;
         let count = self.count(q)?;
         let (nq, nv) = (model.nq(), model.nv());
-        self.check_v("v", v, count)?;
-        self.check_v("vdot", vdot, count)?;
+        length("v", v.len(), count * nv)?;
+        length("vdot", vdot.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
         let chunk = chunk(count);
         let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(vdot, chunk * nv));
-        states.zip(chunks_mut(tau, chunk * nv)).for_each(|(((q, v), vdot), tau)| {
-            T::inverse(model, unit, q, Inverse { v, vdot, tau });
-        });
-        Ok(())
+        let parts = states.zip(chunks_mut(tau, chunk * nv));
+        let fit = parts.map(|(((q, v), vdot), tau)| T::inverse(model, unit, q, Inverse { v, vdot, tau }));
+        self.check(fit.collect(), q, &[("v", v), ("vdot", vdot)])
     }
 
     /// v̇ = H(q)⁻¹ (τ − C(q, v)) of every state.
@@ -236,15 +236,16 @@ impl<'m, T: Lanes> Batch<'m, T> {
         let Self { model, unit } = *self;
         let count = self.count(q)?;
         let (nq, nv) = (model.nq(), model.nv());
-        self.check_v("v", v, count)?;
-        self.check_v("tau", tau, count)?;
+        length("v", v.len(), count * nv)?;
+        length("tau", tau.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
         let chunk = chunk(count);
         let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(tau, chunk * nv));
-        let failed: Vec<Option<(usize, Error)>> = states
+        let (fit, failed): (Vec<bool>, Vec<_>) = states
             .zip(chunks_mut(vdot, chunk * nv))
             .map(|(((q, v), tau), vdot)| T::forward(model, unit, q, Forward { v, tau, vdot }))
-            .collect();
+            .unzip();
+        self.check(fit, q, &[("v", v), ("tau", tau)])?;
         first(failed, chunk)
     }
 
@@ -263,49 +264,40 @@ impl<'m, T: Lanes> Batch<'m, T> {
         length(what, H.len(), count * size)?;
         let chunk = chunk(count);
         let parts = chunks(q, chunk * nq).zip(chunks_mut(H, chunk * size));
-        parts.for_each(|(q, H)| T::masses(model, unit, q, Masses { layout, places, H }));
-        Ok(())
+        let fit = parts.map(|(q, H)| T::masses(model, unit, q, Masses { layout, places, H })).collect();
+        self.check(fit, q, &[])
     }
 
-    /// Number of configurations in `q`, which is looked at.
+    /// Number of configurations in `q`.
     fn count(&self, q: &[T]) -> Result<usize, BatchError> {
-        let (model, nq) = (self.model, self.model.nq());
+        let nq = self.model.nq();
         let count = q.len().checked_div(nq).unwrap_or(0);
-        if count * nq != q.len() {
-            return Err(BatchError::Shape(InputError::Length {
+        match count * nq == q.len() {
+            true => Ok(count),
+            false => Err(BatchError::Shape(InputError::Length {
                 what: "q",
                 expected: (count + 1) * nq,
                 found: q.len(),
-            }));
+            })),
         }
-        let unit = self.unit;
-        let is_good = |q: &[T]| {
-            let mut quaternions = q.chunks_exact(nq.max(1)).map(|q| model.check_quaternions(q).is_ok());
-            T::all_finite(unit, q) && (model.mechanism.quaternions.is_empty() || quaternions.all(|good| good))
-        };
-        if chunks(q, chunk(count) * nq).all(is_good) {
-            return Ok(count);
-        }
-        for (index, q) in q.chunks_exact(nq.max(1)).enumerate() {
-            model.check_q(q).map_err(|error| BatchError::Configuration { index, error: error.into() })?;
-        }
-        Ok(count)
     }
 
-    /// That there are `count` finite rows.
-    fn check_v(&self, what: &'static str, v: &[T], count: usize) -> Result<(), BatchError> {
-        let nv = self.model.nv();
-        length(what, v.len(), count * nv)?;
-        if chunks(v, chunk(count) * nv).all(|v| T::all_finite(self.unit, v)) {
+    /// If some part of the numbers was not found to be fit: the first configuration with a q, or other numbers, that is not.
+    fn check(&self, fit: Vec<bool>, q: &[T], others: &[(&'static str, &[T])]) -> Result<(), BatchError> {
+        if fit.into_iter().all(|fit| fit) {
             return Ok(());
         }
-        check(what, v, v.len()).map_err(|error| match error {
-            InputError::NotFinite { what, index } => BatchError::Configuration {
-                index: index / nv,
-                error: InputError::NotFinite { what, index: index % nv }.into(),
-            },
-            error => BatchError::Shape(error),
-        })
+        let (nq, nv) = (self.model.nq().max(1), self.model.nv().max(1));
+        let at = |index| move |error: InputError| BatchError::Configuration { index, error: error.into() };
+        for (index, q) in q.chunks_exact(nq).enumerate() {
+            self.model.check_q(q).map_err(at(index))?;
+        }
+        for &(what, x) in others {
+            for (index, x) in x.chunks_exact(nv).enumerate() {
+                check(what, x, nv).map_err(at(index))?;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -345,38 +337,33 @@ fn first(failed: Vec<Option<(usize, Error)>>, chunk: usize) -> Result<(), BatchE
 /// Numbers that a batch may be of: f32 and f64. The kernels are compiled here, once, not again by each crate that calls them.
 pub trait Lanes: Batched {
     #[doc(hidden)]
-    fn all_finite(unit: Unit, x: &[Self]) -> bool;
+    fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) -> bool;
     #[doc(hidden)]
-    fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>);
-    #[doc(hidden)]
-    fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>);
+    fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) -> bool;
     #[doc(hidden)]
     fn forward(
         model: &Model<Self>,
         unit: Unit,
         q: &[Self],
         kernel: Forward<'_, Self>,
-    ) -> Option<(usize, Error)>;
+    ) -> (bool, Option<(usize, Error)>);
 }
 
 macro_rules! lanes {
     ($T:ident) => {
         impl Lanes for $T {
-            fn all_finite(unit: Unit, x: &[Self]) -> bool {
-                Self::dispatch_wide(unit, Finite { x })
+            fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) -> bool {
+                Self::dispatch_wide(unit, Over { model, q, kernel }).0
             }
-            fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) {
-                Self::dispatch_wide(unit, Over { model, q, kernel });
-            }
-            fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) {
-                Self::dispatch_wide(unit, Over { model, q, kernel });
+            fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) -> bool {
+                Self::dispatch_wide(unit, Over { model, q, kernel }).0
             }
             fn forward(
                 model: &Model<Self>,
                 unit: Unit,
                 q: &[Self],
                 kernel: Forward<'_, Self>,
-            ) -> Option<(usize, Error)> {
+            ) -> (bool, Option<(usize, Error)>) {
                 Self::dispatch_wide(unit, Over { model, q, kernel })
             }
         }
@@ -386,30 +373,29 @@ macro_rules! lanes {
 lanes!(f32);
 lanes!(f64);
 
-/// Whether all numbers are finite.
-struct Finite<'a, T> {
-    x: &'a [T],
-}
+/// Zero in every lane as long as all numbers are finite, and all quaternions near enough to unit ones.
+struct Faults<W>([W; 4]);
 
-impl<T: Batched> WideAlgorithm<T> for Finite<'_, T> {
-    type Output = bool;
+impl<W: Wide> Faults<W> {
+    /// 0 x is zero for a finite number and for no other.
+    #[inline(always)]
+    fn look_at(&mut self, x: &[W]) {
+        for (k, &x) in x.iter().enumerate() {
+            self.0[k % 4] = x.mul_add(W::ZERO, self.0[k % 4]);
+        }
+    }
 
     #[inline(always)]
-    fn run<W: Wide<Constant = T>>(self) -> bool {
-        // 0 x is zero for a finite number and for no other.
-        let mut sums = [W::ZERO; 4];
-        let blocks = self.x.chunks_exact(4 * W::WIDTH);
-        let mut all = blocks.remainder().iter().fold(true, |all, x| all & x.is_finite());
-        for block in blocks {
-            for (sum, x) in sums.iter_mut().zip(block.chunks_exact(W::WIDTH)) {
-                let x = W::from_slice(x);
-                *sum += x * W::ZERO;
-            }
-        }
-        for sum in sums {
-            all &= !sum.select_lt(W::ONE, W::ZERO, W::ONE).any_above(T::ZERO);
-        }
-        all
+    fn look_at_quaternion(&mut self, q: &[W]) {
+        let square = q[0].mul_add(q[0], q[1] * q[1]) + q[2].mul_add(q[2], q[3] * q[3]);
+        let apart = (square - W::ONE).abs();
+        self.0[0] += W::from_f64(QUATERNION_TOLERANCE).select_lt(apart, W::ONE, W::ZERO);
+    }
+
+    #[inline(always)]
+    fn none(self) -> bool {
+        let [a, b, c, d] = self.0;
+        !(a + b + (c + d)).select_lt(W::ONE, W::ZERO, W::ONE).any_above(W::Constant::ZERO)
     }
 }
 
@@ -436,26 +422,33 @@ trait Kernel<T: Batched> {
         first: usize,
         lanes: usize,
         room: &mut Self::Room<W>,
+        faults: &mut Faults<W>,
         output: &mut Self::Output,
     );
 }
 
 impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
-    type Output = K::Output;
+    /// Whether all numbers are fit to be computed with, and what the kernel tells.
+    type Output = (bool, K::Output);
 
     #[inline(always)]
-    fn run<W: Wide<Constant = T>>(mut self) -> K::Output {
+    fn run<W: Wide<Constant = T>>(mut self) -> (bool, K::Output) {
         let (model, nq) = (self.model, self.model.nq());
         let count = self.q.len().checked_div(nq).unwrap_or(0);
         let mut q = turn::room(nq);
         let (mut room, mut output) = (self.kernel.room::<W>(model), K::Output::default());
+        let mut faults = Faults([W::ZERO; 4]);
         let mut first = 0;
         while first < count {
             let lanes = W::WIDTH.min(count - first);
             turn::into_lanes(&self.q[first * nq..], nq, lanes, &mut q);
-            self.kernel.group(model, &q, first, lanes, &mut room, &mut output);
+            faults.look_at(&q[..nq]);
+            for &(_, index) in &model.mechanism.quaternions {
+                faults.look_at_quaternion(&q[index as usize..]);
+            }
+            self.kernel.group(model, &q, first, lanes, &mut room, &mut faults, &mut output);
             first += W::WIDTH;
         }
-        output
+        (faults.none(), output)
     }
 }

@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use std::f64::consts::PI;
 
 /// How far a quaternion's norm may be from 1.
-const QUATERNION_TOLERANCE: f64 = 1e-6;
+pub(crate) const QUATERNION_TOLERANCE: f64 = 1e-6;
 
 /// Refuses a slice of the wrong length or with a number that is not finite.
 pub(crate) fn check<T: Real>(what: &'static str, x: &[T], expected: usize) -> Result<(), InputError> {
@@ -22,20 +22,6 @@ pub(crate) fn check<T: Real>(what: &'static str, x: &[T], expected: usize) -> Re
     Err(InputError::NotFinite { what, index })
 }
 
-/// Whether a quaternion's norm is near enough to 1.
-#[inline]
-fn is_unit<T: Real>(quaternion: [T; 4]) -> bool {
-    // Mostly the square is near enough, and no root has to be taken.
-    let square = squares(quaternion);
-    (square - 1.0).abs() <= QUATERNION_TOLERANCE || (square.sqrt() - 1.0).abs() <= QUATERNION_TOLERANCE
-}
-
-#[inline]
-fn squares<T: Real>(x: [T; 4]) -> f64 {
-    let [x, y, z, w] = x.map(T::to_f64);
-    x * x + y * y + z * z + w * w
-}
-
 impl<T: Real> Model<T> {
     /// Refuses a q of the wrong length, with a number that is not finite, or with a quaternion that is not a unit one.
     pub fn check_q(&self, q: &[T]) -> Result<(), InputError> {
@@ -47,9 +33,10 @@ impl<T: Real> Model<T> {
     pub(crate) fn check_quaternions(&self, q: &[T]) -> Result<(), InputError> {
         for &(joint, index) in &self.mechanism.quaternions {
             let index = index as usize;
-            let quaternion = [q[index], q[index + 1], q[index + 2], q[index + 3]];
-            if !is_unit(quaternion) {
-                let norm = squares(quaternion).sqrt();
+            let square = q[index..index + 4].iter().map(|x| x.to_f64() * x.to_f64()).sum::<f64>();
+            // Mostly the square is near enough, and no root has to be taken.
+            if (square - 1.0).abs() > QUATERNION_TOLERANCE && (square.sqrt() - 1.0).abs() > QUATERNION_TOLERANCE {
+                let norm = square.sqrt();
                 let joint = self.joints[joint as usize].name.to_string();
                 return Err(InputError::NotUnitQuaternion { joint, index, norm });
             }

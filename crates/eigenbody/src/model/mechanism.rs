@@ -207,9 +207,9 @@ impl<T: Real> Mechanism<T> {
                     };
                     (gamma.then(own), twist, C)
                 }
-                MotionKind::Slide => (Turn::NONE, Twist::Any, own.matrix() * Euler::new(E).matrix()),
+                MotionKind::Slide => (Turn::NONE, Twist::Any, rounded(own.matrix() * E)),
                 MotionKind::Other if E == Mat3::IDENTITY => (Turn::NONE, Twist::Straight, E),
-                MotionKind::Other => (Turn::NONE, Twist::Any, E),
+                MotionKind::Other => (Turn::NONE, Twist::Any, rounded(E)),
             };
             let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
             let slots = &mut mechanism.slots;
@@ -331,6 +331,12 @@ fn motion<T: Real>(body: &Body<T>) -> MotionKind {
     }
 }
 
+/// Without what is left of π/2 − π/2: its square would be slow to compute with in single precision.
+fn rounded<T: Real>(E: Mat3<T>) -> Mat3<T> {
+    let round = T::from_f64(ROUND * T::EPSILON);
+    E.map(|x| if x.abs() < round { T::ZERO } else { x })
+}
+
 /// A turn by the angle with this sine and cosine.
 #[derive(Clone, Copy, PartialEq)]
 struct Turn<T> {
@@ -400,10 +406,5 @@ impl<T: Real> Euler<T> {
         // The first column of what is left is (cos γ, −sin γ, 0).
         let left = E * beta.matrix().transpose();
         Self { gamma: Turn::new(-left.y.x, left.x.x), alpha, beta }
-    }
-
-    /// E again, with round turns round: what is left of π/2 − π/2, squared, would be slow to compute with in single precision.
-    fn matrix(&self) -> Mat3<T> {
-        self.gamma.matrix() * self.alpha.about_x() * self.beta.matrix()
     }
 }
