@@ -19,8 +19,8 @@ pub(super) struct Layout {
     pub nv: usize,
     /// By degree of freedom: its place in pre-order.
     rank: Vec<u32>,
-    /// By body: the places of its subtree's degrees of freedom in pre-order.
-    subtree: Vec<(u32, u32)>,
+    /// By body.
+    subtree: Vec<Subtree>,
     /// By place in pre-order: where the column begins, with its entry on the diagonal.
     start: Vec<u32>,
     /// nv × nv: which entry stands there. The last one is zero.
@@ -33,6 +33,16 @@ pub(super) struct Layout {
     pub entries: usize,
 }
 
+/// A body with all that it carries.
+#[derive(Debug, Clone, Copy)]
+struct Subtree {
+    /// Places of its degrees of freedom in pre-order.
+    first: u32,
+    end: u32,
+    /// The entry of the first of them with the first of its carrier's.
+    row: u32,
+}
+
 impl Layout {
     pub fn new<T: Real>(model: &Model<T>) -> Self {
         let (nv, members) = (model.nv(), &model.mechanism.members);
@@ -41,25 +51,31 @@ impl Layout {
         for (place, &d) in order.iter().enumerate() {
             rank[d] = place as u32;
         }
-        let mut subtree: Vec<(u32, u32)> = Vec::with_capacity(members.len());
+        let mut subtree: Vec<Subtree> = Vec::with_capacity(members.len());
         for m in members {
-            let first = subtree.last().map_or(0, |last| last.1);
-            subtree.push((first, first + m.joint.nv() as u32));
+            let first = subtree.last().map_or(0, |last| last.end);
+            subtree.push(Subtree { first, end: first + m.joint.nv() as u32, row: 0 });
         }
         let mut start = vec![0; nv];
         let mut ends = vec![0; nv];
         for (i, m) in members.iter().enumerate().rev() {
-            let (first, end) = subtree[i];
+            let Subtree { first, end, .. } = subtree[i];
             let own = first as usize..first as usize + m.joint.nv();
             ends[own].fill(end);
             if let Some(p) = (m.parent as usize).checked_sub(1) {
-                subtree[p].1 = subtree[p].1.max(end);
+                subtree[p].end = subtree[p].end.max(end);
             }
         }
         let mut entries = 0;
         for (place, start) in start.iter_mut().enumerate() {
             *start = entries;
             entries += ends[place] - place as u32;
+        }
+        for (i, m) in members.iter().enumerate() {
+            if let Some(p) = (m.parent as usize).checked_sub(1) {
+                let carrier = subtree[p].first;
+                subtree[i].row = start.get(carrier as usize).copied().unwrap_or(0) + subtree[i].first - carrier;
+            }
         }
         let mut packed = vec![entries; nv * (nv + 1) / 2];
         let mut places = vec![entries; nv * nv];
@@ -134,22 +150,27 @@ impl<W: Wide> Columns<W> {
             if !m.place.leaf {
                 Ic += self.Ic[m.level as usize];
             }
-            let (first, end) = (layout.subtree[i].0 as usize, layout.subtree[i].1 as usize);
+            let subtree = layout.subtree[i];
+            let (first, end) = (subtree.first as usize, subtree.end as usize);
             self.own_block(model, layout, m, Ic, first);
-            if m.parent == 0 {
-                continue;
-            }
+            let Some(p) = (m.parent as usize).checked_sub(1) else { continue };
+            let (carrier, F) = (&members[p], &mut self.F[first..end]);
+            // Where the carrier has one degree of freedom, its row of H is written on the way.
+            let row = match carrier.motion {
+                MotionKind::Other => None,
+                motion => Some((motion == MotionKind::Slide, &mut self.H[subtree.row as usize..][..end - first])),
+            };
             let mut up = match m.motion {
                 MotionKind::Hinge => {
                     let (turn, r) = (self.posture.turn::<W>(i), position::<W>(m));
-                    with_twist!(m, C: W => {
-                        carry(Placed { E: ThenZ { turn, first: C }, r }, Ic, &mut self.F[first..end])
-                    })
+                    with_twist!(m, C: W => carry(Placed { E: ThenZ { turn, first: C }, r }, Ic, F, row))
                 }
-                MotionKind::Slide => carry(slide::<W>(m, q), Ic, &mut self.F[first..end]),
-                MotionKind::Other => carry(self.posture.placed::<W>(i), Ic, &mut self.F[first..end]),
+                MotionKind::Slide => carry(slide::<W>(m, q), Ic, F, row),
+                MotionKind::Other => carry(self.posture.placed::<W>(i), Ic, F, row),
             };
-            self.put_rows(layout, &members[m.parent as usize - 1], first, end);
+            if carrier.motion == MotionKind::Other {
+                self.put_rows(layout, carrier, first, end);
+            }
             let sum = &mut self.Ic[m.level as usize - 1];
             if !m.place.last {
                 up += *sum;
@@ -229,15 +250,27 @@ fn put<const K: usize, W: Scalar>(F: &[Force<W>], H: &mut [W]) {
     }
 }
 
-/// F = X_upᵀ F of every column of a subtree; returns the inertia as the body inwards has it.
+/// F = X_upᵀ F of every column of a subtree, and the row of H of a hinge or, if said so, a slide; returns the inertia as the body inwards
+/// has it.
 #[inline(always)]
 fn carry<W: Scalar, R: Rotation<W>>(
     X_up: Placed<W, R>,
     Ic: PseudoInertia<W>,
     F: &mut [Force<W>],
+    row: Option<(bool, &mut [W])>,
 ) -> PseudoInertia<W> {
-    for F in F {
-        *F = X_up.transpose_force(*F);
+    match row {
+        Some((slide, H)) => {
+            for (F, H) in F.iter_mut().zip(H) {
+                *F = X_up.transpose_force(*F);
+                *H = if slide { F.lin.z } else { F.ang.z };
+            }
+        }
+        None => {
+            for F in F {
+                *F = X_up.transpose_force(*F);
+            }
+        }
     }
     X_up.transpose_pseudo(Ic)
 }

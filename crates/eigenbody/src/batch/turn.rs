@@ -40,18 +40,19 @@ pub(super) fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W:
     let Some(last) = n.checked_sub(W::WIDTH) else {
         return short_from_lanes(x, n, out);
     };
-    let out = &mut out[..W::WIDTH * n];
+    let mut rows: [&mut [W::Constant]; MOST_LANES] = Default::default();
+    let mut rest = out;
+    for row in &mut rows[..W::WIDTH] {
+        (*row, rest) = rest.split_at_mut(n);
+    }
+    let x = &x[..n];
     let mut first = 0;
     while first < n {
+        // The last block may meet the one before it.
         let at = first.min(last);
-        let x = &x[at..at + W::WIDTH];
-        let mut rest = &mut out[at..];
-        for quarter in 0..W::WIDTH / BLOCK {
-            for (k, row) in turned(x, BLOCK * quarter).into_iter().enumerate() {
-                row.to_slice(rest);
-                if BLOCK * quarter + k + 1 < W::WIDTH {
-                    rest = &mut rest[n..];
-                }
+        for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
+            for (row, x) in rows.iter_mut().zip(turned(&x[at..at + W::WIDTH], BLOCK * quarter)) {
+                x.to_slice(&mut row[at..]);
             }
         }
         first += W::WIDTH;
