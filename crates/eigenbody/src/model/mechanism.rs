@@ -35,7 +35,7 @@ pub(crate) struct Mechanism<T> {
     pub full: bool,
     /// By four rows of H: one more than the last degree of freedom that any of them has an entry with.
     pub reach: Vec<u32>,
-    /// Where zeros stand side by side in the upper triangle of H, row after row.
+    /// Whole blocks of H, row after row, that hold all zeros of the upper triangle, and other numbers besides.
     pub zeros: Vec<Range<u32>>,
     /// Nobody's degrees of freedom come before those of the body that carries it.
     pub ascending: bool,
@@ -298,7 +298,10 @@ impl<T: Real> Mechanism<T> {
                 let start = end;
                 end += run.len();
                 if run[0] {
-                    self.zeros.push(start as u32..end as u32);
+                    // A mechanism with two branches has more than a block of entries.
+                    let length = run.len().next_multiple_of(COLUMNS);
+                    let start = start.min((nv * nv).saturating_sub(length));
+                    self.zeros.push(start as u32..(start + length).min(nv * nv) as u32);
                 }
             }
         }

@@ -99,13 +99,7 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
 
     let half = S::from_f64(0.5);
     let z = r * r;
-    let (mut p, mut q) = (S::ZERO, S::ZERO);
-    for &c in trig.sin {
-        p = p.mul_add(z, S::constant(c));
-    }
-    for &c in trig.cos {
-        q = q.mul_add(z, S::constant(c));
-    }
+    let (p, q) = (polynomial(z, trig.sin), polynomial(z, trig.cos));
     // sin(r + y) = sin r + y cos r,  cos(r + y) = cos r − y r
     let cube = z * r;
     let h = half * z;
@@ -113,6 +107,17 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let w = S::ONE - h;
     let c = w + (((S::ONE - w) - h) + (z * z).mul_add(q, -(r * y)));
     n.quarters(shifted, s, c)
+}
+
+/// By Horner's rule, the highest power first.
+#[inline(always)]
+fn polynomial<S: Scalar>(z: S, coefficients: &[S::Constant]) -> S {
+    let Some((&first, others)) = coefficients.split_first() else { return S::ZERO };
+    let mut p = S::constant(first);
+    for &c in others {
+        p = p.mul_add(z, S::constant(c));
+    }
+    p
 }
 
 /// [`Scalar::quarters`] without a look at bits: j = n mod 4 in {−2, .., 2}.

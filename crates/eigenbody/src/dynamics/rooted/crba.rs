@@ -252,21 +252,13 @@ fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
     }
 }
 
-/// Zeros where there are any: fours of them, of which the last may meet the one before it.
+/// Zeros where there are any, and around them: all else is still to be written.
 #[inline(always)]
 fn clear<T: Real, Q: Quad<T>>(zeros: &[Range<u32>], H: &mut [T]) {
     for run in zeros {
-        let row = &mut H[run.start as usize..run.end as usize];
-        let Some(last) = row.len().checked_sub(WIDTH) else {
-            row.iter_mut().for_each(|x| *x = T::ZERO);
-            continue;
-        };
-        let mut first = 0;
-        while first < last {
-            Q::ZERO.to_slice(&mut row[first..]);
-            first += WIDTH;
+        for four in H[run.start as usize..run.end as usize].chunks_exact_mut(WIDTH) {
+            Q::ZERO.to_slice(four);
         }
-        Q::ZERO.to_slice(&mut row[last..]);
     }
 }
 
