@@ -15,7 +15,10 @@ use eigenbody::family::puma560;
 use eigenbody::model::JointSpec;
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
 use eigenbody::spectrum::sturm::{Count, Pencil, counts};
-use eigenbody::spectrum::{EndsWorkspace, Extremes, Precision, extreme_eigenvalues_into, extremes};
+use eigenbody::spectrum::{
+    EndsAtWorkspace, EndsWorkspace, Extremes, Metric, Precision, extreme_eigenvalues_at,
+    extreme_eigenvalues_into, extremes,
+};
 use eigenbody::{Base, Family, Joint, Matrix, Model, ModelBuilder, Posture};
 use gungraun::{
     Callgrind, EventKind, LibraryBenchmarkConfig, library_benchmark, library_benchmark_group, main,
@@ -160,6 +163,28 @@ fn ends(mut b: Bench) -> Bench {
     b
 }
 
+// Both ends alone.
+#[library_benchmark]
+#[bench::arm(setup = arm_alone, config = at_most(AT[0]))]
+#[bench::humanoid(setup = humanoid_alone, config = at_most(AT[1]))]
+fn at((b, mut room): (Bench, EndsAtWorkspace<f64>)) -> Bench {
+    black_box(extreme_eigenvalues_at(&b.model, black_box(&b.q), &mut room).unwrap());
+    b
+}
+
+fn alone(b: Bench) -> (Bench, EndsAtWorkspace<f64>) {
+    let room = EndsAtWorkspace::new(&b.model, &Metric::Euclidean).unwrap();
+    (b, room)
+}
+
+fn arm_alone() -> (Bench, EndsAtWorkspace<f64>) {
+    alone(arm())
+}
+
+fn humanoid_alone() -> (Bench, EndsAtWorkspace<f64>) {
+    alone(humanoid())
+}
+
 // Sixty-four states, one thread: H and v̇ in lanes.
 #[library_benchmark]
 #[bench::arm(setup = arm, config = at_most(BATCH))]
@@ -173,12 +198,13 @@ fn batch(b: Bench) -> (Vec<f64>, Vec<f64>) {
 }
 
 // Limits of the kernels: arm, humanoid, tree.
-const INVERSE: [u64; 3] = [3_550, 13_100, 31_100];
-const FORWARD: [u64; 3] = [5_200, 22_500, 65_900];
-const MASS: [u64; 3] = [3_600, 27_300, 108_000];
-const ENDS: [u64; 3] = [9_350, 100_000, 456_000];
-const BATCH: u64 = 290_000;
+const INVERSE: [u64; 3] = [3_480, 12_700, 30_800];
+const FORWARD: [u64; 3] = [5_180, 21_800, 64_600];
+const MASS: [u64; 3] = [3_250, 24_000, 110_600];
+const ENDS: [u64; 3] = [9_320, 98_000, 460_000];
+const AT: [u64; 2] = [10_000, 85_600];
+const BATCH: u64 = 258_000;
 
 library_benchmark_group!(name = engine, benchmarks = [sweep, cold]);
-library_benchmark_group!(name = kernels, benchmarks = [inverse, forward, mass, ends, batch]);
+library_benchmark_group!(name = kernels, benchmarks = [inverse, forward, mass, ends, at, batch]);
 main!(library_benchmark_groups = engine, kernels);

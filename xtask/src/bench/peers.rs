@@ -45,7 +45,11 @@ const CONTESTS: [Contest; 8] = [
     Contest { quantity: "rnea", title: "Inverse dynamics", peers: &["pinocchio", "dynibo"] },
     Contest { quantity: "aba", title: "Forward dynamics", peers: &["pinocchio", "dynibo"] },
     Contest { quantity: "upper", title: "Mass matrix, upper triangle", peers: &["pinocchio"] },
-    Contest { quantity: "crba", title: "Mass matrix, both triangles", peers: &["pinocchio", "mujoco", "dynibo"] },
+    Contest {
+        quantity: "crba",
+        title: "Mass matrix, both triangles",
+        peers: &["pinocchio", "mujoco", "dynibo"],
+    },
     Contest { quantity: "bias", title: "Bias force C(q, v)", peers: &["pinocchio", "mujoco"] },
     Contest { quantity: "extremes", title: "Mass matrix, λmin and λmax", peers: &["pinocchio"] },
     Contest { quantity: "conditioning", title: "Mass matrix, κ and κ′", peers: &["pinocchio"] },
@@ -209,7 +213,8 @@ fn text(figures: &Figures) -> String {
         names.dedup();
         names.join(", ")
     };
-    let wins = ["rnea", "aba", "upper"].map(|quantity| format!("{quantity} {}", fastest(quantity))).join("; ");
+    let wins =
+        ["rnea", "aba", "upper"].map(|quantity| format!("{quantity} {}", fastest(quantity))).join("; ");
     let tables = tables.into_iter().chain(batches).collect::<Vec<_>>();
     format!("{}\nPinocchio's best builds and conventions: {wins}.\n", tables.join("\n"))
 }

@@ -74,7 +74,8 @@ impl Layout {
         for (i, m) in members.iter().enumerate() {
             if let Some(p) = (m.parent as usize).checked_sub(1) {
                 let carrier = subtree[p].first;
-                subtree[i].row = start.get(carrier as usize).copied().unwrap_or(0) + subtree[i].first - carrier;
+                subtree[i].row =
+                    start.get(carrier as usize).copied().unwrap_or(0) + subtree[i].first - carrier;
             }
         }
         let mut packed = vec![entries; nv * (nv + 1) / 2];
@@ -158,7 +159,9 @@ impl<W: Wide> Columns<W> {
             // Where the carrier has one degree of freedom, its row of H is written on the way.
             let row = match carrier.motion {
                 MotionKind::Other => None,
-                motion => Some((motion == MotionKind::Slide, &mut self.H[subtree.row as usize..][..end - first])),
+                motion => {
+                    Some((motion == MotionKind::Slide, &mut self.H[subtree.row as usize..][..end - first]))
+                }
             };
             let mut up = match m.motion {
                 MotionKind::Hinge => {

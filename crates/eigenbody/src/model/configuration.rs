@@ -60,7 +60,9 @@ impl<T: Real> Model<T> {
             let index = index as usize;
             let square = q[index..index + 4].iter().map(|x| x.to_f64() * x.to_f64()).sum::<f64>();
             // Mostly the square is near enough, and no root has to be taken.
-            if (square - 1.0).abs() > QUATERNION_TOLERANCE && (square.sqrt() - 1.0).abs() > QUATERNION_TOLERANCE {
+            if (square - 1.0).abs() > QUATERNION_TOLERANCE
+                && (square.sqrt() - 1.0).abs() > QUATERNION_TOLERANCE
+            {
                 let norm = square.sqrt();
                 let joint = self.joints[joint as usize].name.to_string();
                 return Err(InputError::NotUnitQuaternion { joint, index, norm });

@@ -201,18 +201,25 @@ fn free_root<T: Real, Q: Quad<T>>(
     let (I, mass, o) = (Ic.rotational(), m.carried, T::ZERO);
     let ([hx, hy, hz, _], [nx, ny, nz, _]) = (Ic.h.numbers(), (-Ic.h).numbers());
     *first = [
-        (I.x + Q::of([a, o, o, o])).numbers(),
+        unit::<T, Q>(0).mul_add(Q::constant(a), I.x).numbers(),
         (I.y + Q::of([o, b, o, hz])).numbers(),
         (I.z + Q::of([o, o, c, ny])).numbers(),
         [o, hz, ny, mass + d0],
         [nz, o, hx, o],
         [hy, nx, o, o],
     ];
-    let own =
-        [[nz, hy, o, o], [o, nx, o, o], [hx, o, o, o], [o; 4], [mass + d1, o, o, o], [o, mass + d2, o, o]];
+    let (y, z) = (unit::<T, Q>(0), unit::<T, Q>(1));
+    let own = [
+        Q::of([nz, hy, o, o]),
+        z * Q::constant(nx),
+        y * Q::constant(hx),
+        Q::ZERO,
+        y * Q::constant(mass + d1),
+        z * Q::constant(mass + d2),
+    ];
     for (row, own) in second.iter_mut().zip(own) {
         let others = if m.last { Q::ZERO } else { Q::from_slice(row) };
-        *row = (others + Q::of(own)).numbers();
+        *row = (others + own).numbers();
     }
     let (row_0, H) = H[d * stride..].split_at_mut(stride);
     let (row_1, H) = H.split_at_mut(stride);

@@ -173,7 +173,8 @@ macro_rules! register {
                 let mut rows: [&[$T]; MOST_LANES] = [&[]; MOST_LANES];
                 for j in 0..$N {
                     // SAFETY: promise 2; a register of $N numbers is $N numbers in memory, without gaps.
-                    rows[j] = unsafe { std::slice::from_raw_parts(std::ptr::from_ref(x[j]).cast::<$T>(), $N) };
+                    rows[j] =
+                        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(x[j]).cast::<$T>(), $N) };
                 }
                 Self::four(&rows, first)
             }
@@ -508,7 +509,12 @@ impl F32x4 {
     fn four(rows: &[&[f32]; MOST_LANES], first: usize) -> [Self; 4] {
         unsafe {
             turn_fours!(
-                [four_f32(rows[0], first), four_f32(rows[1], first), four_f32(rows[2], first), four_f32(rows[3], first)],
+                [
+                    four_f32(rows[0], first),
+                    four_f32(rows[1], first),
+                    four_f32(rows[2], first),
+                    four_f32(rows[3], first)
+                ],
                 _mm_unpacklo_ps,
                 _mm_unpackhi_ps,
                 _mm_unpacklo_pd,
