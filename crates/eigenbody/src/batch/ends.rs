@@ -8,6 +8,7 @@ use crate::model::Model;
 use crate::scalar::{Two, Wide};
 use crate::spectrum::sturm::Pencil;
 use crate::spectrum::{Metric, Packed, Precision, extremes_from};
+use std::ops::Range;
 
 /// Up to so many rows, two triangles fit into the nearest memory, and both metrics are taken together.
 const TOGETHER: usize = 20;
@@ -66,8 +67,7 @@ impl Kernel<f64> for Spectra<'_> {
         &mut self,
         model: &Model<f64>,
         q: &[W],
-        first: usize,
-        lanes: usize,
+        group: Range<usize>,
         Room { columns, one, two, units, own }: &mut Room<W>,
         _: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
@@ -107,8 +107,7 @@ impl Kernel<f64> for Spectra<'_> {
             x.to_slice(numbers);
         }
         let [min, max, own_min, own_max] = numbers;
-        for lane in 0..lanes {
-            let k = first + lane;
+        for (lane, k) in group.enumerate() {
             let found = Values {
                 lambda_min: min[lane],
                 lambda_max: max[lane],

@@ -7,6 +7,7 @@ use crate::dynamics::{Aba, Rnea};
 use crate::error::{Error, NotPositiveDefinite};
 use crate::model::Model;
 use crate::scalar::{Batched, Real, Scalar, Wide};
+use std::ops::Range;
 
 /// H.
 #[doc(hidden)]
@@ -32,12 +33,12 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         &mut self,
         model: &Model<T>,
         q: &[W],
-        first: usize,
-        lanes: usize,
+        group: Range<usize>,
         columns: &mut Columns<W>,
         _: &mut Faults<W>,
         (): &mut (),
     ) {
+        let (first, lanes) = (group.start, group.len());
         columns.update(model, self.layout, q);
         match (self.places, self.layout.entries) {
             (Some(places), _) => from_places(&columns.H, places, lanes, &mut self.H[first * places.len()..]),
@@ -84,13 +85,12 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         &mut self,
         model: &Model<T>,
         q: &[W],
-        first: usize,
-        lanes: usize,
+        group: Range<usize>,
         Room { workspace, v, given, found }: &mut Self::Room<W>,
         faults: &mut Faults<W>,
         (): &mut (),
     ) {
-        let nv = model.nv();
+        let (nv, first, lanes) = (model.nv(), group.start, group.len());
         into_lanes(&self.v[first * nv..], nv, lanes, v);
         into_lanes(&self.vdot[first * nv..], nv, lanes, given);
         faults.look_at(&v[..nv]);
@@ -124,13 +124,12 @@ impl<T: Batched> Kernel<T> for Forward<'_, T> {
         &mut self,
         model: &Model<T>,
         q: &[W],
-        first: usize,
-        lanes: usize,
+        group: Range<usize>,
         Room { workspace, v, given, found }: &mut Self::Room<W>,
         faults: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
-        let nv = model.nv();
+        let (nv, first, lanes) = (model.nv(), group.start, group.len());
         into_lanes(&self.v[first * nv..], nv, lanes, v);
         into_lanes(&self.tau[first * nv..], nv, lanes, given);
         faults.look_at(&v[..nv]);

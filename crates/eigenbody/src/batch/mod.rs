@@ -23,6 +23,7 @@ use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
 use mass::Layout;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Configurations of the widest group: chunks are multiples of it.
 const GROUP: usize = MOST_LANES;
@@ -414,13 +415,12 @@ trait Kernel<T: Batched> {
     type Room<W: Wide<Constant = T>>;
     /// Memory for a group.
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W>;
-    /// Computes the group of `lanes` configurations that begins with configuration `first`; q stands in lanes already.
+    /// Computes a group of configurations, of which q stands in lanes already.
     fn group<W: Wide<Constant = T>>(
         &mut self,
         model: &Model<T>,
         q: &[W],
-        first: usize,
-        lanes: usize,
+        group: Range<usize>,
         room: &mut Self::Room<W>,
         faults: &mut Faults<W>,
         output: &mut Self::Output,
@@ -446,7 +446,7 @@ impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
             for &(_, index) in &model.mechanism.quaternions {
                 faults.look_at_quaternion(&q[index as usize..]);
             }
-            self.kernel.group(model, &q, first, lanes, &mut room, &mut faults, &mut output);
+            self.kernel.group(model, &q, first..first + lanes, &mut room, &mut faults, &mut output);
             first += W::WIDTH;
         }
         (faults.none(), output)
