@@ -104,7 +104,12 @@ impl<T: Lanes> Contestant for Batches<T> {
         let (threads, patience) = (self.threads.clone(), self.patience);
         let each = threads.install(|| -> Result<f64, String> {
             let mut all = || self.all(quantity).map_err(|error| error.to_string());
+            // A thread that has slept is given a core of its own only after some milliseconds.
+            let asleep = Instant::now();
             all()?;
+            while asleep.elapsed().as_secs_f64() < seconds * (patience - 1.0) {
+                all()?;
+            }
             let (start, mut calls) = (Instant::now(), 0);
             while start.elapsed().as_secs_f64() < seconds * patience {
                 all()?;

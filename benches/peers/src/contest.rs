@@ -108,7 +108,8 @@ struct Heat<'a> {
 }
 
 /// Every quantity that some contestant may know, with the conventions of those that have several.
-const QUANTITIES: [&str; 8] = ["rnea", "aba", "upper", "crba", "bias", "extremes", "conditioning", "eigenvalues"];
+const QUANTITIES: [&str; 8] =
+    ["rnea", "aba", "upper", "crba", "bias", "extremes", "conditioning", "eigenvalues"];
 const CONVENTIONS: [&str; 4] = ["", "-local", "-world", "-only"];
 
 /// Times everything, ROUNDS times in turn, and prints medians: `ROBOT QUANTITY CONTESTANT[-CONVENTION]`, seconds a call.
