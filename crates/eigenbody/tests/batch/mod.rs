@@ -126,6 +126,39 @@ fn what_is_not_finite_is_found_everywhere() {
     }
 }
 
+/// A quaternion that is no unit one is found wherever it stands; one that is near enough is not taken for one.
+#[test]
+fn quaternions_are_looked_at_everywhere() {
+    let model: Model<f64> = Family::hydra(3, 1.0, 0.3, 1.0).unwrap().floating().model().unwrap();
+    let (nq, nv) = (model.nq(), model.nv());
+    let good: Vec<f64> = (0..COUNT as u64).flat_map(|seed| configuration(&model, seed)).collect();
+    let mut H = vec![0.0; COUNT * nv * nv];
+    let mut values = vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; COUNT];
+    for unit in UNITS {
+        let batch = Batch::new(&model).on(unit);
+        for k in [0, 3, 8, 63, COUNT - 1] {
+            for (scale, is_unit) in [(1.0 + 9e-7, true), (1.0 - 9e-7, true), (1.0 + 2e-6, false), (0.0, false)] {
+                let mut q = good.clone();
+                q[k * nq + 3..k * nq + 7].iter_mut().for_each(|x| *x *= scale);
+                let found = [
+                    batch.mass_matrices(&q, &mut H),
+                    batch.conditioning(&q, &Metric::Euclidean, 1e-8, &mut values),
+                ];
+                for found in found {
+                    match found {
+                        Ok(()) => assert!(is_unit, "{k}, {scale}, {unit:?}"),
+                        Err(BatchError::Configuration { index, error: Error::Input(error) }) => {
+                            assert!(matches!(error, InputError::NotUnitQuaternion { .. }), "{error}");
+                            assert!(!is_unit && index == k, "{k}, {scale}, {unit:?}: {index}");
+                        }
+                        Err(error) => panic!("{error}"),
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// Both ends of every kind of matrix to a few n·ε·λmax.
 #[test]
 fn ends_are_those_of_the_spectrum() {
