@@ -137,7 +137,9 @@ fn quaternions_are_looked_at_everywhere() {
     for unit in UNITS {
         let batch = Batch::new(&model).on(unit);
         for k in [0, 3, 8, 63, COUNT - 1] {
-            for (scale, is_unit) in [(1.0 + 9e-7, true), (1.0 - 9e-7, true), (1.0 + 2e-6, false), (0.0, false)] {
+            for (scale, is_unit) in
+                [(1.0 + 9e-7, true), (1.0 - 9e-7, true), (1.0 + 2e-6, false), (0.0, false)]
+            {
                 let mut q = good.clone();
                 q[k * nq + 3..k * nq + 7].iter_mut().for_each(|x| *x *= scale);
                 let found = [

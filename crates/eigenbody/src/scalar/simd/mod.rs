@@ -214,7 +214,7 @@ mod tests {
                 x.to_slice(&mut numbers);
                 out[0].extend(&numbers[..W::WIDTH]);
             }
-            let mut values = vec![W::ZERO; MOST_LANES];
+            let mut values = [W::ZERO; MOST_LANES];
             for (k, value) in values.iter_mut().enumerate() {
                 *value = W::from_slice(&self.0[k * MOST_LANES..]);
             }
