@@ -100,12 +100,17 @@ pub fn extreme_eigenvalues_at<T: Real>(
             }
         }
     }
-    let [min, max] = reduced_ends(ends);
-    match (min + max).is_finite() {
-        true => Ok([min, max]),
-        false => {
+    // No entry is larger than the largest on the diagonal.
+    let mut diagonal = (0..n).map(|d| ends.A[d * stride + d]);
+    let found = match diagonal.position(|value| !value.is_finite()) {
+        Some(index) => Err(index),
+        None => Ok(reduced_ends(ends)),
+    };
+    match found {
+        Ok([min, max]) if (min + max).is_finite() => Ok([min, max]),
+        _ => {
             ends.A.fill(T::ZERO);
-            Err(InputError::NotFinite { what: "H", index: 0 })
+            Err(InputError::NotFinite { what: "H", index: found.err().unwrap_or(0) })
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Both ends of dense spectra against the whole of them.
 
 use crate::robots::cases;
-use eigenbody::model::Random;
+use eigenbody::model::{JointSpec, Random};
 use eigenbody::scalar::Real;
+use eigenbody::spatial::{RigidInertia, Sym3, Vec3};
 use eigenbody::spectrum::{
     EndsAtWorkspace, EndsWorkspace, Metric, eigenvalues, extreme_eigenvalues, extreme_eigenvalues_at,
     extreme_eigenvalues_into,
 };
-use eigenbody::{Family, InputError, Matrix, Model, mass_matrix};
+use eigenbody::{Base, Family, InputError, Joint, Matrix, Model, ModelBuilder, mass_matrix};
 
 /// Qᵀ diag(λ) Q, Q a product of reflections.
 fn with_spectrum(values: &[f64], seed: u64) -> Vec<Vec<f64>> {
@@ -119,23 +120,37 @@ fn ends_at_a_configuration_in_double_precision() {
     ends_at_a_configuration::<f64>();
 }
 
+/// A hinge that carries a slide: far out, its inertia is beyond single precision.
+fn polar() -> Model<f32> {
+    let mut robot = ModelBuilder::new("polar");
+    let rod = RigidInertia::from_com(1.0, Vec3::new(0.1, 0.0, 0.0), Sym3::diagonal(0.01, 0.02, 0.02));
+    let [base, arm, hand] = ["base", "arm", "hand"].map(|name| robot.link(name, rod));
+    robot.joint(JointSpec::new("turn", Joint::Revolute, base, arm).about(Vec3::Z));
+    robot.joint(JointSpec::new("reach", Joint::Prismatic, arm, hand).about(Vec3::X));
+    robot.build(Base::Fixed).unwrap()
+}
+
 /// One configuration whose H overflows leaves nothing behind for the next.
 #[test]
 fn ends_after_an_overflow() {
-    let slide = Family::hydra(5, 1.0, 0.4, 1.0).unwrap();
-    let model: Model<f32> = slide.model().unwrap();
-    let mut room = EndsAtWorkspace::new(&model, &Metric::Diagonal(vec![1e-38; 5])).unwrap();
-    let q = model.neutral();
-    let refused = extreme_eigenvalues_at(&model, &q, &mut room);
+    let model = polar();
+    let mut room = EndsAtWorkspace::new(&model, &Metric::Euclidean).unwrap();
+    let before = extreme_eigenvalues_at(&model, &[0.0, 0.5], &mut room).unwrap();
+    let refused = extreme_eigenvalues_at(&model, &[0.0, 1e30], &mut room);
     assert!(matches!(refused, Err(InputError::NotFinite { what: "H", .. })), "{refused:?}");
-    let again = extreme_eigenvalues_at(&model, &q, &mut room);
-    assert!(matches!(again, Err(InputError::NotFinite { what: "H", .. })), "{again:?}");
-    let other: Model<f32> = Family::hydra(4, 1.0, 0.4, 1.0).unwrap().model().unwrap();
-    let wrong = extreme_eigenvalues_at(&other, &other.neutral(), &mut room);
+    assert_eq!(extreme_eigenvalues_at(&model, &[0.0, 0.5], &mut room).unwrap(), before);
+}
+
+#[test]
+fn workspaces_for_something_else_are_refused() {
+    let [small, large]: [Model<f32>; 2] =
+        [4, 5].map(|n| Family::hydra(n, 1.0, 0.4, 1.0).unwrap().model().unwrap());
+    let mut room = EndsAtWorkspace::new(&large, &Metric::Euclidean).unwrap();
+    let wrong = extreme_eigenvalues_at(&small, &small.neutral(), &mut room);
     assert!(
         matches!(wrong, Err(InputError::Length { what: "workspace", expected: 4, found: 5 })),
         "{wrong:?}"
     );
-    let negative = EndsAtWorkspace::new(&model, &Metric::Diagonal(vec![-1.0; 5])).map(|_| ());
+    let negative = EndsAtWorkspace::new(&large, &Metric::Diagonal(vec![-1.0; 5])).map(|_| ());
     assert!(matches!(negative, Err(InputError::NotPositive { what: "B", index: 0, .. })), "{negative:?}");
 }
