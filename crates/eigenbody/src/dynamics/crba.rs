@@ -87,11 +87,7 @@ pub fn mass_matrix_into<T: Real>(
     workspace: &mut CrbaWorkspace<T>,
     H: &mut Matrix<T>,
 ) -> Result<(), InputError> {
-    model.check_q(q)?;
-    check_out("rows of H", H.rows(), model.nv())?;
-    check_out("columns of H", H.cols(), model.nv())?;
-    dispatch_one(Crba { model, q, workspace, H: H.as_rows(), both: true });
-    Ok(())
+    triangles(model, q, workspace, H, true)
 }
 
 /// The upper triangle of [`mass_matrix`] into the caller's memory, diagonal included; allocates nothing.
@@ -116,10 +112,22 @@ pub fn mass_matrix_upper_into<T: Real>(
     workspace: &mut CrbaWorkspace<T>,
     H: &mut Matrix<T>,
 ) -> Result<(), InputError> {
+    triangles(model, q, workspace, H, false)
+}
+
+/// Both triangles or the upper one, after a look at what is given.
+#[inline]
+fn triangles<T: Real>(
+    model: &Model<T>,
+    q: &[T],
+    workspace: &mut CrbaWorkspace<T>,
+    H: &mut Matrix<T>,
+    both: bool,
+) -> Result<(), InputError> {
     model.check_q(q)?;
     check_out("rows of H", H.rows(), model.nv())?;
     check_out("columns of H", H.cols(), model.nv())?;
-    dispatch_one(Crba { model, q, workspace, H: H.as_rows(), both: false });
+    dispatch_one(Crba { model, q, workspace, H: H.as_rows(), both });
     Ok(())
 }
 
