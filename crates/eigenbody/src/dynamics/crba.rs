@@ -92,8 +92,7 @@ pub fn mass_matrix_into<T: Real>(
 
 /// The upper triangle of [`mass_matrix`] into the caller's memory, diagonal included; allocates nothing.
 ///
-/// What comes to stand below the diagonal has no meaning. This is what a factorisation needs, and takes a tenth less time for an arm, a
-/// fifth for a humanoid.
+/// What comes to stand below the diagonal has no meaning. This is what a factorisation needs, and takes about a tenth less time.
 ///
 /// Errors: as [`mass_matrix_into`].
 ///

@@ -16,7 +16,6 @@ use super::moments::Moments;
 use super::rnea::{RneaRoom, force, move_all};
 use super::{Stand, columns, combined, components, suits, units};
 use crate::dynamics::posture::Posture;
-use crate::joint::Joint;
 use crate::model::{Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
@@ -163,7 +162,7 @@ fn accelerate<T: Real, Q: Quad<T>>(
             }
         };
         let d = m.v0 as usize;
-        if m.parent == 0 && matches!(m.joint, Joint::Floating) {
+        if m.is_free_root() {
             (ang, lin) = free_root(&dofs[d..d + 6], &mut qdd[d..d + 6]);
         } else if m.motion != MotionKind::Other {
             let (x, z) = (accelerated(&dofs[d], ang, lin), Q::from_slice(&at.z));
