@@ -317,13 +317,14 @@ fn other<S: Scalar>(
 #[inline(always)]
 fn carried<S: Scalar, R: Rotation<S>>(
     m: &Member<S::Constant>,
-    Placed { E, r }: Placed<S, R>,
+    X_up: Placed<S, R>,
     up: &Moving<S::Stored>,
 ) -> (Vec3<S>, Vec3<S>, Vec3<S>) {
+    let E = X_up.E;
     if m.parent == 0 {
         return (Vec3::ZERO, Vec3::ZERO, E.times(up.a.map(S::load)));
     }
-    let a = up.Psi.map(S::load).times_add(r, up.a.map(S::load));
+    let a = X_up.offset().image_add(up.Psi.map(S::load), up.a.map(S::load));
     (E.times(up.omega.map(S::load)), E.times(up.alpha.map(S::load)), E.times(a))
 }
 

@@ -1,21 +1,11 @@
-//! The model as the kernels of `dynamics` see it: in frames turned so that most constant rotations cost nothing.
-//!
-//! ```text
-//! E_tree = Rz(γ) Rx(α) Rz(β)                z-x-z Euler angles
-//! E = Rz(q) E_tree = Rz(q + γ) Rx(α)        once the frame of the body that carries it is turned by β about its axis
-//! ```
-//! A body on a hinge may be turned about its axis at will: it is turned by the β of the largest subtree that it carries
-//! (Denavit and Hartenberg's choice of x). What is left is Rx(α), and α is often nothing or a quarter turn. H, τ and v̇ do not depend on
-//! any of this. Nothing is rounded to a quarter turn that is not one to the last digits.
+//! The model as the kernels of `dynamics` see it: in frames between which little is left to compute.
 
 use super::body::{Body, JointInfo, WORLD};
+use super::frames::{Frames, Standing, Twist};
 use crate::joint::Joint;
 use crate::scalar::{MOST_COLUMNS, Real};
-use crate::spatial::{Mat3, PseudoInertia, Transform, Vec3};
+use crate::spatial::{Mat3, PseudoInertia, Vec3};
 use std::ops::Range;
-
-/// A turn this many ε from a round one is a round one.
-const ROUND: f64 = 4.0;
 
 /// The bodies in pre-order, what their joints' angles are counted from, and where quaternions stand.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,58 +112,9 @@ pub(crate) enum MotionKind {
     Other,
 }
 
-/// What is known of C.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Twist {
-    Straight,
-    Quarter,
-    ThreeQuarters,
-    AboutX,
-    Any,
-}
-
-/// Runs `$step` with `$C` the constant rotation of `$member`, its type as narrow as is known; over two scalars, if asked.
-macro_rules! with_twist {
-    ($member:expr, $($C:ident: $S:ty),+ => $step:expr) => {{
-        use $crate::model::Twist;
-        use $crate::spatial::{AboutX, Quarter, Straight};
-        match $member.twist {
-            Twist::Straight => {
-                $(let $C = Straight;)+
-                $step
-            }
-            Twist::Quarter => {
-                $(let $C = Quarter::<true>;)+
-                $step
-            }
-            Twist::ThreeQuarters => {
-                $(let $C = Quarter::<false>;)+
-                $step
-            }
-            Twist::AboutX => {
-                $(let $C = AboutX(<$S>::constant($member.C.y.z), <$S>::constant($member.C.y.y));)+
-                $step
-            }
-            Twist::Any => {
-                $(let $C = $member.C.map(<$S>::constant);)+
-                $step
-            }
-        }
-    }};
-}
-pub(crate) use with_twist;
-
 impl<T: Real> Mechanism<T> {
     pub fn new(bodies: &[Body<T>], joints: &[JointInfo<T>]) -> Self {
-        let mut turns: Vec<Turn<T>> = vec![Turn::NONE; bodies.len()];
-        for body in bodies {
-            // Children come by ascending size of their subtrees: the last one decides.
-            if let (true, Some(p)) = (motion(body) == MotionKind::Hinge, body.parent())
-                && motion(&bodies[p]) != MotionKind::Other
-            {
-                turns[p] = Euler::new(body.X_tree.E).beta;
-            }
-        }
+        let mut frames = Frames::new(bodies);
         let quaternion = |(index, joint): (u32, &JointInfo<T>)| {
             joint.kind.quaternion().map(|at| (index, joint.q0 + at as u32))
         };
@@ -193,25 +134,7 @@ impl<T: Real> Mechanism<T> {
             cos_offset: Vec::with_capacity(bodies.len()),
         };
         for (i, body) in bodies.iter().enumerate() {
-            let parent_turn = body.parent().map_or(Turn::NONE, |p| turns[p]);
-            let r = parent_turn.matrix() * body.X_tree.r;
-            let E = body.X_tree.E * parent_turn.matrix().transpose();
-            let own = turns[i];
-            let motion = motion(body);
-            let (offset, twist, C) = match motion {
-                MotionKind::Hinge => {
-                    let Euler { gamma, alpha, beta } = Euler::new(E);
-                    let (twist, C) = match beta == Turn::NONE {
-                        true => (alpha.twist(), alpha.about_x()),
-                        false => (Twist::Any, alpha.about_x() * beta.matrix()),
-                    };
-                    (gamma.then(own), twist, C)
-                }
-                MotionKind::Slide => (Turn::NONE, Twist::Any, rounded(own.matrix() * E)),
-                MotionKind::Other if E == Mat3::IDENTITY => (Turn::NONE, Twist::Straight, E),
-                MotionKind::Other => (Turn::NONE, Twist::Any, rounded(E)),
-            };
-            let turned = Transform::new(own.matrix().transpose(), Vec3::ZERO).transpose_rigid(body.I);
+            let Standing { motion, offset, twist, C, r, I } = frames.place(bodies, i);
             let slots = &mut mechanism.slots;
             if i > 0 && body.parent() != Some(i - 1) {
                 slots.resize(slots.len().next_multiple_of(COLUMNS), EMPTY);
@@ -233,7 +156,7 @@ impl<T: Real> Mechanism<T> {
                 twist,
                 C,
                 r,
-                I: turned.into(),
+                I,
                 carried: body.I.m,
                 place: Place {
                     leaf: true,
@@ -245,8 +168,8 @@ impl<T: Real> Mechanism<T> {
             });
             let hinge = if motion == MotionKind::Hinge { Some(body.q0) } else { None };
             mechanism.angles.push(hinge.or(mechanism.angles.last().copied()).unwrap_or(0));
-            mechanism.sin_offset.push(offset.s);
-            mechanism.cos_offset.push(offset.c);
+            mechanism.sin_offset.push(offset.0);
+            mechanism.cos_offset.push(offset.1);
         }
         for i in (0..bodies.len()).rev() {
             if let Some(p) = bodies[i].parent() {
@@ -324,90 +247,4 @@ fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
         Block { dofs: [dofs[0], dofs[1], dofs[2], dofs[3]], run: run as u32 }
     };
     slots.chunks_exact(COLUMNS).enumerate().map(block).collect()
-}
-
-fn motion<T: Real>(body: &Body<T>) -> MotionKind {
-    match body.joint {
-        Joint::Revolute | Joint::Continuous => MotionKind::Hinge,
-        Joint::Prismatic => MotionKind::Slide,
-        _ => MotionKind::Other,
-    }
-}
-
-/// Without what is left of π/2 − π/2: its square would be slow to compute with in single precision.
-fn rounded<T: Real>(E: Mat3<T>) -> Mat3<T> {
-    let round = T::from_f64(ROUND * T::EPSILON);
-    E.map(|x| if x.abs() < round { T::ZERO } else { x })
-}
-
-/// A turn by the angle with this sine and cosine.
-#[derive(Clone, Copy, PartialEq)]
-struct Turn<T> {
-    s: T,
-    c: T,
-}
-
-impl<T: Real> Turn<T> {
-    const NONE: Self = Self { s: T::ZERO, c: T::ONE };
-
-    /// The turn of the direction (c, s), made unit; round where it is so to the last digits.
-    fn new(s: T, c: T) -> Self {
-        let norm = s.mul_add(s, c * c).sqrt();
-        let (s, c) = (s / norm, c / norm);
-        let sign = |x: T| if x < T::ZERO { -T::ONE } else { T::ONE };
-        let round = T::from_f64(ROUND * T::EPSILON);
-        if s.abs() < round {
-            Self { s: T::ZERO, c: sign(c) }
-        } else if c.abs() < round {
-            Self { s: sign(s), c: T::ZERO }
-        } else {
-            Self { s, c }
-        }
-    }
-
-    fn then(self, b: Self) -> Self {
-        Self { s: self.s * b.c + self.c * b.s, c: self.c * b.c - self.s * b.s }
-    }
-
-    /// About z.
-    fn matrix(self) -> Mat3<T> {
-        Mat3::rotation_z((self.s, self.c))
-    }
-
-    fn about_x(self) -> Mat3<T> {
-        let Self { s, c } = self;
-        Mat3::from_rows(Vec3::X, Vec3::new(T::ZERO, c, s), Vec3::new(T::ZERO, -s, c))
-    }
-
-    fn twist(self) -> Twist {
-        match (self.s == T::ZERO, self.c == T::ZERO) {
-            (true, _) if self.c > T::ZERO => Twist::Straight,
-            (_, true) if self.s > T::ZERO => Twist::Quarter,
-            (_, true) => Twist::ThreeQuarters,
-            _ => Twist::AboutX,
-        }
-    }
-}
-
-/// E = Rz(γ) Rx(α) Rz(β), with β in the right half turn.
-struct Euler<T> {
-    gamma: Turn<T>,
-    alpha: Turn<T>,
-    beta: Turn<T>,
-}
-
-impl<T: Real> Euler<T> {
-    fn new(E: Mat3<T>) -> Self {
-        // The last row is (sin α sin β, −sin α cos β, cos α).
-        let sine = E.z.x.mul_add(E.z.x, E.z.y * E.z.y).sqrt();
-        let sine = if E.z.y > T::ZERO { -sine } else { sine };
-        let alpha = Turn::new(sine, E.z.z);
-        let beta = match alpha.s == T::ZERO || E.z.x.abs() < T::from_f64(ROUND * T::EPSILON) {
-            true => Turn::NONE,
-            false => Turn::new(E.z.x / sine, -E.z.y / sine),
-        };
-        // The first column of what is left is (cos γ, −sin γ, 0).
-        let left = E * beta.matrix().transpose();
-        Self { gamma: Turn::new(-left.y.x, left.x.x), alpha, beta }
-    }
 }

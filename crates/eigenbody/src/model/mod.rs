@@ -10,6 +10,7 @@ mod coupling;
 mod dof_tree;
 mod error;
 mod finding;
+mod frames;
 mod mechanism;
 mod plausible;
 mod random;
@@ -22,7 +23,8 @@ pub use coupling::Coupling;
 pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};
 pub use finding::Finding;
-pub(crate) use mechanism::{Block, COLUMNS, EMPTY, Mechanism, Member, MotionKind, SMALL, Twist, with_twist};
+pub(crate) use frames::{Twist, with_twist};
+pub(crate) use mechanism::{Block, COLUMNS, EMPTY, Mechanism, Member, MotionKind, SMALL};
 pub use random::Random;
 
 use crate::error::InputError;

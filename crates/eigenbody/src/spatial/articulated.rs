@@ -1,6 +1,6 @@
 //! The inertia of an articulated body: a symmetric 6 × 6 matrix, 21 numbers.
 
-use super::{Force, Mat3, Motion, PseudoInertia, RigidInertia, Sym3, Vec3};
+use super::{Force, Mat3, Motion, Offset, PseudoInertia, RigidInertia, Sym3, Vec3};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign};
 
@@ -75,6 +75,17 @@ impl<T: Scalar> ArticulatedInertia<T> {
         let Self { I, H: H0, M } = self;
         let H = H0 + Mat3::cross_times(r, M.full());
         Self { I: I.plus_shift(r, H0, H), H, M }
+    }
+
+    /// [`shifted`](Self::shifted) by what is known of r, without an intermediate sum: a third fewer operations.
+    #[inline(always)]
+    pub(crate) fn offset(self, r: Offset<T>) -> Self {
+        let Self { I, H: H0, M } = self;
+        let (columns, H) = (M.full(), H0.transpose());
+        let (x, y, z) =
+            (r.cross_add(columns.x, H.x), r.cross_add(columns.y, H.y), r.cross_add(columns.z, H.z));
+        let H = Mat3 { x, y, z }.transpose();
+        Self { I: I.offset(r, H0, H), H, M }
     }
 
     /// With a rigid body besides.

@@ -5,7 +5,7 @@
 //! ```
 //! Wensing, Kim and Slotine, "Linear matrix inequalities for physically consistent inertial parameter identification" (2018).
 
-use super::{ArticulatedInertia, Force, Mat3, RigidInertia, Sym3, Vec3};
+use super::{ArticulatedInertia, Force, Mat3, Offset, RigidInertia, Sym3, Vec3};
 use crate::scalar::{Real, Scalar};
 use std::ops::{Add, AddAssign};
 
@@ -25,16 +25,16 @@ impl<T: Scalar> PseudoInertia<T> {
 
     /// About a point at −r, in parallel axes: h' = h + m r, P' = P + r hᵀ + h' rᵀ.
     #[inline(always)]
-    pub fn shifted(self, r: Vec3<T>) -> Self {
+    pub fn shifted(self, r: Offset<T>) -> Self {
         let Self { m, h: h0, P } = self;
-        let h = r.mul_add(m, h0);
+        let h = Vec3::new(r.x(m, h0.x), r.y(m, h0.y), r.z(m, h0.z));
         let P = Sym3 {
-            xx: r.x.mul_add(h0.x + h.x, P.xx),
-            yy: r.y.mul_add(h0.y + h.y, P.yy),
-            zz: r.z.mul_add(h0.z + h.z, P.zz),
-            xy: r.x.mul_add(h0.y, h.x.mul_add(r.y, P.xy)),
-            xz: r.x.mul_add(h0.z, h.x.mul_add(r.z, P.xz)),
-            yz: r.y.mul_add(h0.z, h.y.mul_add(r.z, P.yz)),
+            xx: r.x(h0.x + h.x, P.xx),
+            yy: r.y(h0.y + h.y, P.yy),
+            zz: r.z(h0.z + h.z, P.zz),
+            xy: r.x(h0.y, r.y(h.x, P.xy)),
+            xz: r.x(h0.z, r.z(h.x, P.xz)),
+            yz: r.y(h0.z, r.z(h.y, P.yz)),
         };
         Self { m, h, P }
     }

@@ -1,10 +1,12 @@
 //! Rotations by what is known of them before the configuration is: each is applied in as few products as it needs.
 
-use super::{ArticulatedInertia, Force, Mat3, Motion, PseudoInertia, Sym3, Vec3};
+use super::{ArticulatedInertia, Force, Mat3, Motion, Offset, PseudoInertia, Sym3, Vec3, Zero};
 use crate::scalar::Scalar;
 
 /// A rotation of coordinates E, old to new.
 pub(crate) trait Rotation<T>: Copy {
+    /// The coordinate that is zero of the new origin's position in the old frame, where the two frames were chosen so.
+    const ZERO: Zero = Zero::None;
     /// E v.
     fn times(self, v: Vec3<T>) -> Vec3<T>;
     /// Eᵀ v.
@@ -23,9 +25,13 @@ pub(crate) struct Straight;
 #[derive(Clone, Copy)]
 pub(crate) struct Quarter<const FORWARDS: bool>;
 
-/// A turn about x by the angle with this sine and cosine.
+/// A quarter turn about z, then one about x, forwards or back: coordinates change places.
 #[derive(Clone, Copy)]
-pub(crate) struct AboutX<T>(pub T, pub T);
+pub(crate) struct Corner<const FORWARDS: bool>;
+
+/// A turn about x by the angle with this sine and cosine; it is nearer to a quarter turn, or to none.
+#[derive(Clone, Copy)]
+pub(crate) struct AboutX<T, const STEEP: bool>(pub T, pub T);
 
 /// First `first`, then a turn about z by the angle with this sine and cosine.
 #[derive(Clone, Copy)]
@@ -35,6 +41,7 @@ pub(crate) struct ThenZ<T, C> {
 }
 
 impl<T: Scalar> Rotation<T> for Straight {
+    const ZERO: Zero = Zero::Z;
     #[inline(always)]
     fn times(self, v: Vec3<T>) -> Vec3<T> {
         v
@@ -54,6 +61,7 @@ impl<T: Scalar> Rotation<T> for Straight {
 }
 
 impl<T: Scalar, const FORWARDS: bool> Rotation<T> for Quarter<FORWARDS> {
+    const ZERO: Zero = Zero::Y;
     #[inline(always)]
     fn times(self, v: Vec3<T>) -> Vec3<T> {
         if FORWARDS { Vec3::new(v.x, v.z, -v.y) } else { Vec3::new(v.x, -v.z, v.y) }
@@ -78,7 +86,34 @@ impl<T: Scalar, const FORWARDS: bool> Rotation<T> for Quarter<FORWARDS> {
     }
 }
 
-impl<T: Scalar> Rotation<T> for AboutX<T> {
+impl<T: Scalar, const FORWARDS: bool> Rotation<T> for Corner<FORWARDS> {
+    const ZERO: Zero = Zero::X;
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        if FORWARDS { Vec3::new(v.y, v.z, v.x) } else { Vec3::new(v.y, -v.z, -v.x) }
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        if FORWARDS { Vec3::new(v.z, v.x, v.y) } else { Vec3::new(-v.z, v.x, -v.y) }
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        let (xy, yz) = if FORWARDS { (A.xz, A.xy) } else { (-A.xz, -A.xy) };
+        Sym3 { xx: A.zz, yy: A.xx, zz: A.yy, xy, xz: A.yz, yz }
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        let Mat3 { x, y, z } = A;
+        if FORWARDS {
+            Mat3 { x: Vec3::new(z.z, z.x, z.y), y: Vec3::new(x.z, x.x, x.y), z: Vec3::new(y.z, y.x, y.y) }
+        } else {
+            Mat3 { x: Vec3::new(z.z, -z.x, z.y), y: Vec3::new(-x.z, x.x, -x.y), z: Vec3::new(y.z, -y.x, y.y) }
+        }
+    }
+}
+
+impl<T: Scalar, const STEEP: bool> Rotation<T> for AboutX<T, STEEP> {
+    const ZERO: Zero = if STEEP { Zero::Y } else { Zero::Z };
     #[inline(always)]
     fn times(self, v: Vec3<T>) -> Vec3<T> {
         let Self(s, c) = self;
@@ -132,6 +167,7 @@ impl<T: Scalar> Rotation<T> for Mat3<T> {
 }
 
 impl<T: Scalar, C: Rotation<T>> Rotation<T> for ThenZ<T, C> {
+    const ZERO: Zero = C::ZERO;
     #[inline(always)]
     fn times(self, v: Vec3<T>) -> Vec3<T> {
         let ((s, c), v) = (self.turn, self.first.times(v));
@@ -160,24 +196,29 @@ pub(crate) struct Placed<T, R> {
 }
 
 impl<T: Scalar, R: Rotation<T>> Placed<T, R> {
+    #[inline(always)]
+    pub fn offset(self) -> Offset<T> {
+        Offset::new(self.r, R::ZERO)
+    }
+
     /// X m.
     #[inline(always)]
     pub fn motion(self, m: Motion<T>) -> Motion<T> {
-        Motion { ang: self.E.times(m.ang), lin: self.E.times(m.ang.cross_add(self.r, m.lin)) }
+        Motion { ang: self.E.times(m.ang), lin: self.E.times(self.offset().cross_add(-m.ang, m.lin)) }
     }
 
     /// Xᵀ f.
     #[inline(always)]
     pub fn transpose_force(self, f: Force<T>) -> Force<T> {
         let lin = self.E.transpose_times(f.lin);
-        Force { ang: self.r.cross_add(lin, self.E.transpose_times(f.ang)), lin }
+        Force { ang: self.offset().cross_add(lin, self.E.transpose_times(f.ang)), lin }
     }
 
     /// A rigid body's inertia back in old coordinates.
     #[inline(always)]
     pub fn transpose_pseudo(self, I: PseudoInertia<T>) -> PseudoInertia<T> {
         let turned = PseudoInertia { m: I.m, h: self.E.transpose_times(I.h), P: self.E.congruence(I.P) };
-        turned.shifted(self.r)
+        turned.shifted(self.offset())
     }
 
     /// Xᵀ IA X.
@@ -185,7 +226,7 @@ impl<T: Scalar, R: Rotation<T>> Placed<T, R> {
     pub fn transpose_articulated(self, A: ArticulatedInertia<T>) -> ArticulatedInertia<T> {
         let E = self.E;
         ArticulatedInertia { I: E.congruence(A.I), H: E.similarity(A.H), M: E.congruence(A.M) }
-            .shifted(self.r)
+            .offset(self.offset())
     }
 
     /// Xᵀ IA X and Xᵀ f.

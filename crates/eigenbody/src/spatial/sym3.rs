@@ -1,6 +1,6 @@
 //! Symmetric 3 × 3 matrices, six numbers.
 
-use super::{Mat3, Vec3};
+use super::{Mat3, Offset, Vec3, Zero};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
@@ -50,13 +50,19 @@ impl<T: Scalar> Sym3<T> {
     /// Entry (i, j) of `[r]× Bᵀ` is `(r × b_j)_i`, b_j the rows of B.
     #[inline(always)]
     pub fn plus_shift(self, r: Vec3<T>, B: Mat3<T>, C: Mat3<T>) -> Self {
+        self.offset(Offset::new(r, Zero::None), B, C)
+    }
+
+    /// [`plus_shift`](Self::plus_shift) by what is known of r.
+    #[inline(always)]
+    pub(crate) fn offset(self, r: Offset<T>, B: Mat3<T>, C: Mat3<T>) -> Self {
         Self {
-            xx: cross_x(r, B.x + C.x, self.xx),
-            yy: cross_y(r, B.y + C.y, self.yy),
-            zz: cross_z(r, B.z + C.z, self.zz),
-            xy: cross_x(r, B.y, cross_y(r, C.x, self.xy)),
-            xz: cross_x(r, B.z, cross_z(r, C.x, self.xz)),
-            yz: cross_y(r, B.z, cross_z(r, C.y, self.yz)),
+            xx: r.cross_x(B.x + C.x, self.xx),
+            yy: r.cross_y(B.y + C.y, self.yy),
+            zz: r.cross_z(B.z + C.z, self.zz),
+            xy: r.cross_x(B.y, r.cross_y(C.x, self.xy)),
+            xz: r.cross_x(B.z, r.cross_z(C.x, self.xz)),
+            yz: r.cross_y(B.z, r.cross_z(C.y, self.yz)),
         }
     }
 
@@ -113,24 +119,6 @@ impl<T: Scalar> Sym3<T> {
             yz: f(self.yz),
         }
     }
-}
-
-/// (r × b)_x + c.
-#[inline(always)]
-fn cross_x<T: Scalar>(r: Vec3<T>, b: Vec3<T>, c: T) -> T {
-    r.y.mul_add(b.z, (-r.z).mul_add(b.y, c))
-}
-
-/// (r × b)_y + c.
-#[inline(always)]
-fn cross_y<T: Scalar>(r: Vec3<T>, b: Vec3<T>, c: T) -> T {
-    r.z.mul_add(b.x, (-r.x).mul_add(b.z, c))
-}
-
-/// (r × b)_z + c.
-#[inline(always)]
-fn cross_z<T: Scalar>(r: Vec3<T>, b: Vec3<T>, c: T) -> T {
-    r.x.mul_add(b.y, (-r.y).mul_add(b.x, c))
 }
 
 impl<T: Scalar> Mul<Vec3<T>> for Sym3<T> {

@@ -19,7 +19,7 @@ pub(super) use rnea::{RneaRoom, rnea};
 use super::posture::Posture;
 use crate::model::{Mechanism, Member, MotionKind, SMALL, with_twist};
 use crate::scalar::{Quad, Real, Scalar};
-use crate::spatial::{Motion, ThenZ, Vec3};
+use crate::spatial::{Motion, Placed, Rotation, ThenZ, Vec3};
 
 /// Whether a mechanism is of the size that this is for, and T one number.
 pub(super) fn suits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {
@@ -103,25 +103,30 @@ fn stand<T: Real, Q: Quad<T>>(
             before = stands[i].axes::<Q>();
             continue;
         };
-        let (R, r) = (if m.place.first { before } else { stands[p].axes::<Q>() }, m.r);
+        let R = if m.place.first { before } else { stands[p].axes::<Q>() };
         let (own, r) = match m.motion {
             MotionKind::Hinge => {
                 let turn = (Q::constant(sin[i]), Q::constant(cos[i]));
-                (with_twist!(m, C: Q => turned(R, ThenZ { turn, first: C })), r)
+                with_twist!(m, C: Q => at(R, Placed { E: ThenZ { turn, first: C }, r: spread(m.r) }))
             }
-            MotionKind::Slide => (turned(R, m.C.map(Q::constant)), m.C.z.mul_add(q[m.q0 as usize], r)),
-            MotionKind::Other => (turned(R, posture.X[i].E.map(Q::constant)), posture.X[i].r),
+            MotionKind::Slide => {
+                let r = m.C.z.mul_add(q[m.q0 as usize], m.r);
+                at(R, Placed { E: m.C.map(Q::constant), r: spread(r) })
+            }
+            MotionKind::Other => {
+                let X = &posture.X[i];
+                at(R, Placed { E: X.E.map(Q::constant), r: spread(X.r) })
+            }
         };
-        let r = combined(R, spread(r));
         before = own;
         stands[i] = Stand { x: own.x.numbers(), y: own.y.numbers(), z: own.z.numbers(), r: r.numbers() };
     }
 }
 
-/// R Eᵀ: to the three columns of R, E does what it does to the components of a vector.
+/// R Eᵀ and R r: to the three columns of R, E does what it does to the components of a vector.
 #[inline(always)]
-fn turned<Q: Scalar, E: crate::spatial::Rotation<Q>>(R: Vec3<Q>, E: E) -> Vec3<Q> {
-    E.times(R)
+fn at<Q: Scalar, E: Rotation<Q>>(R: Vec3<Q>, X_up: Placed<Q, E>) -> (Vec3<Q>, Q) {
+    (X_up.E.times(R), X_up.offset().dot(R))
 }
 
 /// The columns of S of a joint of any kind, angular and linear.
