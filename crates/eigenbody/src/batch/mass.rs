@@ -1,105 +1,73 @@
 //! H of a group of configurations, one a lane.
 //!
 //! ```text
-//! for i = N..1:   for each d of body i:     F_d = Ic_i S_d;   H_de = F_d · S_e   for the DoFs e of body i up to d
-//!                 for each d of its subtree:   F_d = X_upᵀ F_d;  H_de = F_d · S_e   for the DoFs e of parent(i)
+//! for i = N..1:   for each d of body i, the last first:     F = Ic_i S_d;   H_de = F · S_e   for the DoFs e of body i up to d
+//!                 for j = i, its carrier, and so on:        F = X_upᵀ F;    H_de = F · S_e   for the DoFs e of parent(j)
 //! ```
-//! As in [`dynamics`](crate::dynamics); but H is kept by columns that hold the subtree of their degree of freedom and nothing
-//! else, in lanes, so that all of it stays close. Whole rows of the caller's matrices come of it at last, or it is used as it is.
+//! Featherstone (2008), table 6.2, column by column: F stays in registers all the way to the root. What it leaves behind are rows of the
+//! lower triangle without the zeros between branches, written from the end to the beginning. Whole rows of the caller's matrices come of
+//! it at last, or it is used as it is.
 
 use crate::dynamics::{Posture, position, slide};
 use crate::joint::Column;
-use crate::model::{Member, Model, MotionKind, with_twist};
-use crate::scalar::{Real, Scalar, Wide};
-use crate::spatial::{Force, Placed, PseudoInertia, Rotation, ThenZ};
+use crate::model::{Mechanism, Member, Model, MotionKind, Twist, with_twist};
+use crate::scalar::{Real, Wide};
+use crate::spatial::{Force, Mat3, Placed, PseudoInertia, ThenZ, Vec3};
 
 /// Where the entries of H stand: made once for a batch.
 #[derive(Debug)]
 pub(super) struct Layout {
     pub nv: usize,
-    /// By degree of freedom: its place in pre-order.
-    rank: Vec<u32>,
-    /// By body.
-    subtree: Vec<Subtree>,
-    /// By place in pre-order: where the column begins, with its entry on the diagonal.
-    start: Vec<u32>,
+    /// By place in pre-order: the degree of freedom.
+    order: Vec<u32>,
+    /// Row and column of every entry, by places in pre-order: row after row, each from the root to the diagonal.
+    pairs: Vec<(u32, u32)>,
+    /// By place in pre-order: the entry on the diagonal.
+    diagonal: Vec<u32>,
     /// nv × nv: which entry stands there. The last one is zero.
     pub places: Vec<u32>,
     /// The lower triangle by rows, degrees of freedom in pre-order: which entry stands there.
     pub packed: Vec<u32>,
-    /// By place in pre-order: the degree of freedom.
-    order: Vec<u32>,
-    /// How many entries all columns have, the zero not counted.
+    /// How many entries there are, the zero not counted.
     pub entries: usize,
-}
-
-/// A body with all that it carries.
-#[derive(Debug, Clone, Copy)]
-struct Subtree {
-    /// Places of its degrees of freedom in pre-order.
-    first: u32,
-    end: u32,
-    /// The entry of the first of them with the first of its carrier's.
-    row: u32,
 }
 
 impl Layout {
     pub fn new<T: Real>(model: &Model<T>) -> Self {
         let (nv, members) = (model.nv(), &model.mechanism.members);
         let order: Vec<usize> = model.dofs().order().collect();
-        let mut rank = vec![0; nv];
-        for (place, &d) in order.iter().enumerate() {
-            rank[d] = place as u32;
-        }
-        let mut subtree: Vec<Subtree> = Vec::with_capacity(members.len());
+        // The columns of a body's last row, by level: those of its carrier, and its own.
+        let mut paths: Vec<Vec<u32>> = vec![Vec::new()];
+        let (mut pairs, mut diagonal) = (Vec::new(), Vec::new());
         for m in members {
-            let first = subtree.last().map_or(0, |last| last.end);
-            subtree.push(Subtree { first, end: first + m.joint.nv() as u32, row: 0 });
-        }
-        let mut start = vec![0; nv];
-        let mut ends = vec![0; nv];
-        for (i, m) in members.iter().enumerate().rev() {
-            let Subtree { first, end, .. } = subtree[i];
-            let own = first as usize..first as usize + m.joint.nv();
-            ends[own].fill(end);
-            if let Some(p) = (m.parent as usize).checked_sub(1) {
-                subtree[p].end = subtree[p].end.max(end);
+            paths.truncate(m.level as usize);
+            let mut path = paths.last().cloned().unwrap_or_default();
+            for _ in 0..m.joint.nv() {
+                let row = diagonal.len() as u32;
+                path.push(row);
+                pairs.extend(path.iter().map(|&column| (row, column)));
+                diagonal.push(pairs.len() as u32 - 1);
             }
+            paths.push(path);
         }
-        let mut entries = 0;
-        for (place, start) in start.iter_mut().enumerate() {
-            *start = entries;
-            entries += ends[place] - place as u32;
-        }
-        for (i, m) in members.iter().enumerate() {
-            if let Some(p) = (m.parent as usize).checked_sub(1) {
-                let carrier = subtree[p].first;
-                subtree[i].row =
-                    start.get(carrier as usize).copied().unwrap_or(0) + subtree[i].first - carrier;
-            }
-        }
-        let mut packed = vec![entries; nv * (nv + 1) / 2];
-        let mut places = vec![entries; nv * nv];
-        for (e, &end) in ends.iter().enumerate() {
-            for d in e..end as usize {
-                let entry = start[e] + (d - e) as u32;
-                packed[d * (d + 1) / 2 + e] = entry;
-                places[order[d] * nv + order[e]] = entry;
-                places[order[e] * nv + order[d]] = entry;
-            }
+        let entries = pairs.len();
+        let mut packed = vec![entries as u32; nv * (nv + 1) / 2];
+        let mut places = vec![entries as u32; nv * nv];
+        for (entry, &(row, column)) in (0..).zip(&pairs) {
+            let (row, column) = (row as usize, column as usize);
+            packed[row * (row + 1) / 2 + column] = entry;
+            let (d, e) = (order[row], order[column]);
+            places[d * nv + e] = entry;
+            places[e * nv + d] = entry;
         }
         let order = order.into_iter().map(|d| d as u32).collect();
-        Self { nv, rank, subtree, start, places, packed, order, entries: entries as usize }
+        Self { nv, order, pairs, diagonal, places, packed, entries }
     }
 
     /// Row and column of every entry.
     pub fn pairs(&self) -> Vec<(usize, usize)> {
-        let ends = self.start.iter().skip(1).copied().chain([self.entries as u32]);
-        let columns = self.start.iter().zip(ends).enumerate();
-        let column =
-            |(e, (&start, end)): (usize, (&u32, u32))| (0..(end - start) as usize).map(move |k| (e + k, e));
-        let of = |(d, e): (usize, usize)| (self.order[d] as usize, self.order[e] as usize);
-        columns.flat_map(column).map(of).collect()
+        let dof = |place: u32| self.order[place as usize] as usize;
+        self.pairs.iter().map(|&(row, column)| (dof(row), dof(column))).collect()
     }
 
     /// Degrees of freedom in pre-order.
@@ -110,33 +78,40 @@ impl Layout {
     /// The entry on the diagonal, by place in pre-order.
     #[inline(always)]
     pub fn diagonal(&self, d: usize) -> usize {
-        self.start[d] as usize
-    }
-
-    /// Entry H_de, d the later of the two in pre-order and in the subtree of e, by their places.
-    #[inline(always)]
-    fn entry(&self, d: usize, e: usize) -> usize {
-        self.start[e] as usize + d - e
+        self.diagonal[d] as usize
     }
 }
 
 /// Room for one group.
-pub(super) struct Columns<W> {
+pub(super) struct Rows<W: Wide> {
     posture: Posture<W>,
+    steps: Vec<Step<W::Constant>>,
     /// By level: inertia of all that a body carries, frozen.
     Ic: Vec<PseudoInertia<W>>,
-    /// By place in pre-order: F, in the frame of the body that it has been carried to.
-    F: Vec<Force<W>>,
     /// The entries, and a zero.
     pub H: Vec<W>,
 }
 
-impl<W: Wide> Columns<W> {
+/// What a column needs to know of a body on its way to the root.
+#[repr(C, align(128))]
+struct Step<T> {
+    /// One more than the body that carries it, 0 for the world.
+    parent: u32,
+    motion: MotionKind,
+    twist: Twist,
+    r: Vec3<T>,
+    C: Mat3<T>,
+}
+
+impl<W: Wide> Rows<W> {
     pub fn new(model: &Model<W::Constant>, layout: &Layout) -> Self {
+        let Mechanism { members, depth, .. } = &model.mechanism;
+        let step =
+            |&Member { parent, motion, twist, r, C, .. }: &Member<_>| Step { parent, motion, twist, r, C };
         Self {
             posture: Posture::new(&model.mechanism),
-            Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
-            F: vec![Force::ZERO; layout.nv],
+            steps: members.iter().map(step).collect(),
+            Ic: vec![PseudoInertia::ZERO; depth + 1],
             H: vec![W::ZERO; (layout.entries + 1).max(W::WIDTH)],
         }
     }
@@ -144,136 +119,129 @@ impl<W: Wide> Columns<W> {
     /// H at q.
     #[inline(always)]
     pub fn update(&mut self, model: &Model<W::Constant>, layout: &Layout, q: &[W]) {
-        self.posture.update_shape::<W>(&model.mechanism, q);
-        let members = &model.mechanism.members;
+        let Self { posture, steps, Ic, H } = self;
+        posture.update_shape::<W>(&model.mechanism, q);
+        let n = steps.len();
+        let (members, armature) = (&model.mechanism.members[..n], model.armature.as_slice());
+        let (sin, cos) = (&posture.sin[..n], &posture.cos[..n]);
+        let (Ic, H) = (&mut Ic[..model.mechanism.depth + 1], &mut H[..layout.entries]);
+        let walk = Walk { model, posture, steps, sin, cos, q };
+        let mut end = H.len();
         for (i, m) in members.iter().enumerate().rev() {
-            let mut Ic = m.I.map(W::constant);
+            let mut Ic_i = m.I.map(W::constant);
             if !m.place.leaf {
-                Ic += self.Ic[m.level as usize];
+                Ic_i += Ic[m.level as usize];
             }
-            let subtree = layout.subtree[i];
-            let (first, end) = (subtree.first as usize, subtree.end as usize);
-            self.own_block(model, layout, m, Ic, first);
-            let Some(p) = (m.parent as usize).checked_sub(1) else { continue };
-            let (carrier, F) = (&members[p], &mut self.F[first..end]);
-            // Where the carrier has one degree of freedom, its row of H is written on the way.
-            let row = match carrier.motion {
-                MotionKind::Other => None,
-                motion => {
-                    Some((motion == MotionKind::Slide, &mut self.H[subtree.row as usize..][..end - first]))
+            let d = m.v0 as usize;
+            match m.motion {
+                MotionKind::Hinge | MotionKind::Slide => {
+                    let slide = m.motion == MotionKind::Slide;
+                    let F = if slide { Ic_i.times_lin_z() } else { Ic_i.times_ang_z() };
+                    let diagonal = end - 1;
+                    end = walk.own(i, F, H, end);
+                    H[diagonal] += W::constant(armature[d]);
                 }
-            };
+                MotionKind::Other => {
+                    let (Ic_i, columns) = (Ic_i.rigid(), m.joint.columns());
+                    for (k, &column) in columns.iter().enumerate().rev() {
+                        let S_d = posture.S[d + k];
+                        let F = Ic_i.times(S_d);
+                        end -= 1;
+                        H[end] = column.along(S_d, F) + W::constant(armature[d + k]);
+                        end = walk.along(d, &columns[..k], F, H, end);
+                        end = walk.inwards(i, F, H, end);
+                    }
+                }
+            }
+            if m.parent == 0 {
+                continue;
+            }
             let mut up = match m.motion {
                 MotionKind::Hinge => {
-                    let (turn, r) = (self.posture.turn::<W>(i), position::<W>(m));
-                    with_twist!(m, C: W => carry(Placed { E: ThenZ { turn, first: C }, r }, Ic, F, row))
+                    let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
+                    with_twist!(m, C: W => Placed { E: ThenZ { turn, first: C }, r }.transpose_pseudo(Ic_i))
                 }
-                MotionKind::Slide => carry(slide::<W>(m, q), Ic, F, row),
-                MotionKind::Other => carry(self.posture.placed::<W>(i), Ic, F, row),
+                MotionKind::Slide => slide::<W>(m, q).transpose_pseudo(Ic_i),
+                MotionKind::Other => posture.placed::<W>(i).transpose_pseudo(Ic_i),
             };
-            if carrier.motion == MotionKind::Other {
-                self.put_rows(layout, carrier, first, end);
-            }
-            let sum = &mut self.Ic[m.level as usize - 1];
+            let sum = &mut Ic[m.level as usize - 1];
             if !m.place.last {
                 up += *sum;
             }
             *sum = up;
         }
     }
-
-    /// The entries among a body's own degrees of freedom; each F = Ic S_d.
-    #[inline(always)]
-    fn own_block(
-        &mut self,
-        model: &Model<W::Constant>,
-        layout: &Layout,
-        m: &Member<W::Constant>,
-        Ic: PseudoInertia<W>,
-        first: usize,
-    ) {
-        let d = m.v0 as usize;
-        let armature = W::constant(model.armature[d]);
-        match m.motion {
-            MotionKind::Hinge => {
-                let F_d = Ic.times_ang_z();
-                (self.H[layout.entry(first, first)], self.F[first]) = (F_d.ang.z + armature, F_d);
-            }
-            MotionKind::Slide => {
-                let F_d = Ic.times_lin_z();
-                (self.H[layout.entry(first, first)], self.F[first]) = (F_d.lin.z + armature, F_d);
-            }
-            MotionKind::Other => {
-                let Ic = Ic.rigid();
-                for (k, &column) in m.joint.columns().iter().enumerate() {
-                    let S_d = self.posture.S[d + k];
-                    let F_d = Ic.times(S_d);
-                    for (l, &before) in m.joint.columns()[..k].iter().enumerate() {
-                        let S_e = self.posture.S[d + l];
-                        self.H[layout.entry(first + k, first + l)] = before.along(S_e, F_d);
-                    }
-                    let armature = W::constant(model.armature[d + k]);
-                    self.H[layout.entry(first + k, first + k)] = column.along(S_d, F_d) + armature;
-                    self.F[first + k] = F_d;
-                }
-            }
-        }
-    }
-
-    /// The entries of a subtree's columns at the degrees of freedom of the body that carries it.
-    #[inline(always)]
-    fn put_rows(&mut self, layout: &Layout, carrier: &Member<W::Constant>, first: usize, end: usize) {
-        let F = &self.F[first..end];
-        for (e, &column) in (carrier.v0 as usize..).zip(carrier.joint.columns()) {
-            let entry = layout.entry(first, layout.rank[e] as usize);
-            let H = &mut self.H[entry..][..end - first];
-            match column {
-                Column::AngX => put::<0, W>(F, H),
-                Column::AngY => put::<1, W>(F, H),
-                Column::AngZ => put::<2, W>(F, H),
-                Column::LinX => put::<3, W>(F, H),
-                Column::LinY => put::<4, W>(F, H),
-                Column::LinZ => put::<5, W>(F, H),
-                Column::General => {
-                    let S_e = self.posture.S[e];
-                    for (H, &F) in H.iter_mut().zip(F) {
-                        *H = S_e.dot(F);
-                    }
-                }
-            }
-        }
-    }
 }
 
-/// Component K of every force.
-#[inline(always)]
-fn put<const K: usize, W: Scalar>(F: &[Force<W>], H: &mut [W]) {
-    for (H, F) in H.iter_mut().zip(F) {
-        *H = F.component::<K>();
-    }
+/// The ways of columns to the root. Entries are written before `end`, and where the next one ends is returned.
+struct Walk<'a, W: Wide> {
+    model: &'a Model<W::Constant>,
+    posture: &'a Posture<W>,
+    steps: &'a [Step<W::Constant>],
+    sin: &'a [W],
+    cos: &'a [W],
+    q: &'a [W],
 }
 
-/// F = X_upᵀ F of every column of a subtree, and the row of H of a hinge or, if said so, a slide; returns the inertia as the body inwards
-/// has it.
-#[inline(always)]
-fn carry<W: Scalar, R: Rotation<W>>(
-    X_up: Placed<W, R>,
-    Ic: PseudoInertia<W>,
-    F: &mut [Force<W>],
-    row: Option<(bool, &mut [W])>,
-) -> PseudoInertia<W> {
-    match row {
-        Some((slide, H)) => {
-            for (F, H) in F.iter_mut().zip(H) {
-                *F = X_up.transpose_force(*F);
-                *H = if slide { F.lin.z } else { F.ang.z };
+impl<W: Wide> Walk<'_, W> {
+    /// The entries at body i, which moves as no other, and all that carry it.
+    #[inline(always)]
+    fn own(&self, mut i: usize, mut F: Force<W>, H: &mut [W], mut end: usize) -> usize {
+        let Self { steps, sin, cos, .. } = *self;
+        loop {
+            let m = &steps[i];
+            match m.motion {
+                MotionKind::Hinge => {
+                    end -= 1;
+                    H[end] = F.ang.z;
+                    if m.parent == 0 {
+                        return end;
+                    }
+                    let (turn, r) = ((sin[i], cos[i]), m.r.map(W::constant));
+                    F = with_twist!(m, C: W => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(F));
+                }
+                MotionKind::Slide => {
+                    end -= 1;
+                    H[end] = F.lin.z;
+                    if m.parent == 0 {
+                        return end;
+                    }
+                    F = slide::<W>(&self.model.mechanism.members[i], self.q).transpose_force(F);
+                }
+                MotionKind::Other => {
+                    let m = &self.model.mechanism.members[i];
+                    end = self.along(m.v0 as usize, m.joint.columns(), F, H, end);
+                    if m.parent == 0 {
+                        return end;
+                    }
+                    F = self.posture.placed::<W>(i).transpose_force(F);
+                }
             }
-        }
-        None => {
-            for F in F {
-                *F = X_up.transpose_force(*F);
-            }
+            i = m.parent as usize - 1;
         }
     }
-    X_up.transpose_pseudo(Ic)
+
+    /// F of body i past all bodies that carry it.
+    #[inline(always)]
+    fn inwards(&self, i: usize, F: Force<W>, H: &mut [W], end: usize) -> usize {
+        match self.steps[i].parent {
+            0 => end,
+            p => self.own(p as usize - 1, self.posture.placed::<W>(i).transpose_force(F), H, end),
+        }
+    }
+
+    /// The entries at some degrees of freedom of a body, from d on.
+    #[inline(always)]
+    fn along(&self, d: usize, columns: &[Column], F: Force<W>, H: &mut [W], end: usize) -> usize {
+        if columns.len() == 6 {
+            let Force { ang, lin } = F;
+            H[end - 6..end].copy_from_slice(&[ang.x, ang.y, ang.z, lin.x, lin.y, lin.z]);
+            return end - 6;
+        }
+        let first = end - columns.len();
+        for ((H_de, &column), &S_e) in H[first..end].iter_mut().zip(columns).zip(&self.posture.S[d..]) {
+            *H_de = column.along(S_e, F);
+        }
+        first
+    }
 }

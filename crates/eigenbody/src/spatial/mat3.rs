@@ -86,9 +86,13 @@ impl<T: Scalar> Mat3<T> {
     /// Eᵀ A E with E a turn about z by the angle with this sine and cosine.
     #[inline(always)]
     pub fn turned_about_z(self, turn: (T, T)) -> Self {
-        let (x, y) = (self.x.turned_about_z(turn), self.y.turned_about_z(turn));
-        let (s, c) = turn;
-        Self { x: x.mul_add(c, -(y * s)), y: x.mul_add(s, y * c), z: self.z.turned_about_z(turn) }
+        let (Self { x, y, z }, (s, c)) = (self, turn);
+        let [[xx, xy], [yx, yy]] = turned([[x.x, x.y], [y.x, y.y]], turn);
+        Self {
+            x: Vec3::new(xx, xy, c.mul_add(x.z, -(s * y.z))),
+            y: Vec3::new(yx, yy, s.mul_add(x.z, c * y.z)),
+            z: z.turned_about_z(turn),
+        }
     }
 
     /// Sine and cosine, if this is the coordinate rotation of a turn about z.
@@ -208,4 +212,15 @@ impl<T: Scalar> Sub for Mat3<T> {
     fn sub(self, B: Self) -> Self {
         Self { x: self.x - B.x, y: self.y - B.y, z: self.z - B.z }
     }
+}
+
+/// Eᵀ A E of two rows and columns, E = [c s; −s c]: what turns with the double angle is found once.
+///
+/// ```text
+/// w = s (a₂₂ − a₁₁) − c (a₁₂ + a₂₁)      a'₁₁ = a₁₁ + s w    a'₂₂ = a₂₂ − s w    a'₁₂ = −c w − a₂₁    a'₂₁ = −c w − a₁₂
+/// ```
+#[inline(always)]
+pub(super) fn turned<T: Scalar>([[a11, a12], [a21, a22]]: [[T; 2]; 2], (s, c): (T, T)) -> [[T; 2]; 2] {
+    let w = s.mul_add(a22 - a11, -(c * (a12 + a21)));
+    [[s.mul_add(w, a11), (-c).mul_add(w, -a21)], [(-c).mul_add(w, -a12), (-s).mul_add(w, a22)]]
 }

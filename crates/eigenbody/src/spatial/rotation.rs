@@ -1,5 +1,6 @@
 //! Rotations by what is known of them before the configuration is: each is applied in as few products as it needs.
 
+use super::mat3::turned;
 use super::{ArticulatedInertia, Force, Mat3, Motion, Offset, PseudoInertia, Sym3, Vec3, Zero};
 use crate::scalar::Scalar;
 
@@ -127,23 +128,20 @@ impl<T: Scalar, const STEEP: bool> Rotation<T> for AboutX<T, STEEP> {
     #[inline(always)]
     fn congruence(self, A: Sym3<T>) -> Sym3<T> {
         let Self(s, c) = self;
-        // Rows y and z of A Rx, of which the columns are then combined.
-        let (yy, yz) = (c.mul_add(A.yy, -(s * A.yz)), s.mul_add(A.yy, c * A.yz));
-        let (zy, zz) = (c.mul_add(A.yz, -(s * A.zz)), s.mul_add(A.yz, c * A.zz));
-        Sym3 {
-            xx: A.xx,
-            yy: c.mul_add(yy, -(s * zy)),
-            zz: s.mul_add(yz, c * zz),
-            xy: c.mul_add(A.xy, -(s * A.xz)),
-            xz: s.mul_add(A.xy, c * A.xz),
-            yz: c.mul_add(yz, -(s * zz)),
-        }
+        let [[yy, yz], [_, zz]] = turned([[A.yy, A.yz], [A.yz, A.zz]], (s, c));
+        let (xy, xz) = (c.mul_add(A.xy, -(s * A.xz)), s.mul_add(A.xy, c * A.xz));
+        Sym3 { xx: A.xx, yy, zz, xy, xz, yz }
     }
     #[inline(always)]
     fn similarity(self, A: Mat3<T>) -> Mat3<T> {
         let Self(s, c) = self;
-        let (x, y, z) = (self.transpose_times(A.x), self.transpose_times(A.y), self.transpose_times(A.z));
-        Mat3 { x, y: y.mul_add(c, -(z * s)), z: y.mul_add(s, z * c) }
+        let Mat3 { x, y, z } = A;
+        let [[yy, yz], [zy, zz]] = turned([[y.y, y.z], [z.y, z.z]], (s, c));
+        Mat3 {
+            x: self.transpose_times(x),
+            y: Vec3::new(c.mul_add(y.x, -(s * z.x)), yy, yz),
+            z: Vec3::new(s.mul_add(y.x, c * z.x), zy, zz),
+        }
     }
 }
 

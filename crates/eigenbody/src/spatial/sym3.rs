@@ -1,5 +1,6 @@
 //! Symmetric 3 × 3 matrices, six numbers.
 
+use super::mat3::turned;
 use super::{Mat3, Offset, Vec3, Zero};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Mul, Sub};
@@ -95,16 +96,9 @@ impl<T: Scalar> Sym3<T> {
     /// [`congruence`](Self::congruence) with a turn about z by the angle with this sine and cosine.
     #[inline(always)]
     pub fn turned_about_z(self, (s, c): (T, T)) -> Self {
-        let A = self.full();
-        let (x, y) = (A.x.turned_about_z((s, c)), A.y.turned_about_z((s, c)));
-        Self {
-            xx: c.mul_add(x.x, -(s * y.x)),
-            yy: s.mul_add(x.y, c * y.y),
-            zz: self.zz,
-            xy: c.mul_add(x.y, -(s * y.y)),
-            xz: c.mul_add(self.xz, -(s * self.yz)),
-            yz: s.mul_add(self.xz, c * self.yz),
-        }
+        let Self { xx, yy, zz, xy, xz, yz } = self;
+        let [[xx, xy], [_, yy]] = turned([[xx, xy], [xy, yy]], (s, c));
+        Self { xx, yy, zz, xy, xz: c.mul_add(xz, -(s * yz)), yz: s.mul_add(xz, c * yz) }
     }
 
     /// The entries in another scalar.
