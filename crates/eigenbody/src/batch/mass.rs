@@ -10,7 +10,7 @@
 
 use crate::dynamics::{Posture, position, slide};
 use crate::joint::Column;
-use crate::model::{Mechanism, Member, Model, MotionKind, Twist, with_twist};
+use crate::model::{Mechanism, Member, Model, MotionKind, Twist, with_turn, with_twist};
 use crate::scalar::{Real, Wide};
 use crate::spatial::{Force, Mat3, Placed, PseudoInertia, ThenZ, Vec3};
 
@@ -161,7 +161,9 @@ impl<W: Wide> Rows<W> {
                     let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
                     with_twist!(m, C: W => Placed { E: ThenZ { turn, first: C }, r }.transpose_pseudo(Ic_i))
                 }
-                MotionKind::Slide => slide::<W>(m, q).transpose_pseudo(Ic_i),
+                MotionKind::Slide => {
+                    with_turn!(m, C: W => slide::<W, _>(m, C, q).transpose_pseudo(Ic_i))
+                }
                 MotionKind::Other => posture.placed::<W>(i).transpose_pseudo(Ic_i),
             };
             let sum = &mut Ic[m.level as usize - 1];
@@ -206,7 +208,8 @@ impl<W: Wide> Walk<'_, W> {
                     if m.parent == 0 {
                         return end;
                     }
-                    F = slide::<W>(&self.model.mechanism.members[i], self.q).transpose_force(F);
+                    let m = &self.model.mechanism.members[i];
+                    F = with_turn!(m, C: W => slide::<W, _>(m, C, self.q).transpose_force(F));
                 }
                 MotionKind::Other => {
                     let m = &self.model.mechanism.members[i];

@@ -18,7 +18,7 @@ use super::rnea::{RneaWorkspace, check_out, forces};
 use super::rooted;
 use crate::error::{Error, NotPositiveDefinite};
 use crate::joint::Column;
-use crate::model::{Model, MotionKind, with_twist};
+use crate::model::{Model, MotionKind, with_turn, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{ArticulatedInertia, Force, Motion, Placed, ThenZ, Vec3};
 
@@ -206,7 +206,9 @@ fn inwards<S: Scalar>(
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
                 with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.transpose_both(IA_i, p_i))
             }
-            MotionKind::Slide => slide::<S>(m, q).transpose_both(IA_i, p_i),
+            MotionKind::Slide => {
+                with_turn!(m, C: S => slide::<S, _>(m, C, q).transpose_both(IA_i, p_i))
+            }
             MotionKind::Other => posture.placed::<S>(i).transpose_both(IA_i, p_i),
         };
         let (IA, p) = &mut carried[m.level as usize - 1];
@@ -238,7 +240,7 @@ fn outwards<S: Scalar>(
                     let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
                     with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.motion(a_p))
                 }
-                MotionKind::Slide => slide::<S>(m, q).motion(a_p),
+                MotionKind::Slide => with_turn!(m, C: S => slide::<S, _>(m, C, q).motion(a_p)),
                 MotionKind::Other => posture.placed::<S>(i).motion(a_p),
             }
         };

@@ -17,7 +17,7 @@ use crate::error::InputError;
 use crate::matrix::{Matrix, Rows};
 use crate::model::{EMPTY, Mechanism, Member, Model, MotionKind, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, Unit, dispatch_one};
-use crate::spatial::{Force, Motion, Placed, PseudoInertia, Rotation, ThenZ, Vec3};
+use crate::spatial::{Force, Motion, Placed, PseudoInertia, Rotation, Straight, ThenZ, Vec3};
 use std::ops::Range;
 
 /// Rows of F.
@@ -198,7 +198,9 @@ fn crba<T: Real, S: Scalar<Constant = T, Stored = T>>(
             }
             MotionKind::Slide | MotionKind::Other => {
                 let X = match m.motion {
-                    MotionKind::Slide => slide::<S>(m, q),
+                    MotionKind::Slide => {
+                        Placed { E: m.C.map(S::constant), r: slide::<S, _>(m, Straight, q).r }
+                    }
                     _ => posture.placed::<S>(i),
                 };
                 carry::<S, _>(m, X.spread(), F);

@@ -3,7 +3,7 @@
 use crate::joint::Joint;
 use crate::model::{COLUMNS, Mechanism, Member, MotionKind, Twist};
 use crate::scalar::{Scalar, sin_cos_columns};
-use crate::spatial::{Mat3, Motion, Placed, Transform, Vec3};
+use crate::spatial::{Anywhere, Mat3, Motion, Placed, Rotation, Transform, Vec3};
 
 /// A mechanism at q.
 #[derive(Debug, Clone)]
@@ -110,9 +110,13 @@ impl<T: Scalar> Posture<T> {
 
 /// From the parent to a body on a slide, which stands q along z.
 #[inline(always)]
-pub(crate) fn slide<S: Scalar>(m: &Member<S::Constant>, q: &[S::Stored]) -> Placed<S, Mat3<S>> {
-    let E = m.C.map(S::constant);
-    Placed { E, r: E.z.mul_add(S::load(q[m.q0 as usize]), position::<S>(m)) }
+pub(crate) fn slide<S: Scalar, R: Rotation<S>>(
+    m: &Member<S::Constant>,
+    C: R,
+    q: &[S::Stored],
+) -> Placed<S, Anywhere<R>> {
+    let z = m.C.z.map(S::constant);
+    Placed { E: Anywhere(C), r: z.mul_add(S::load(q[m.q0 as usize]), position::<S>(m)) }
 }
 
 #[inline(always)]

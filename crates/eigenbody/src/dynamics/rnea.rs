@@ -16,7 +16,7 @@ use super::posture::{Posture, position, slide};
 use super::rooted;
 use crate::error::InputError;
 use crate::joint::Joint;
-use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
+use crate::model::{Mechanism, Member, Model, MotionKind, with_turn, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
 
@@ -191,7 +191,7 @@ pub(super) fn rnea<S: Scalar>(
                 let (turn, r) = (posture.turn::<S>(i), position::<S>(m));
                 with_twist!(m, C: S => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(f_i))
             }
-            MotionKind::Slide => slide::<S>(m, q).transpose_force(f_i),
+            MotionKind::Slide => with_turn!(m, C: S => slide::<S, _>(m, C, q).transpose_force(f_i)),
             MotionKind::Other => posture.placed::<S>(i).transpose_force(f_i),
         };
         let p = m.parent as usize;
@@ -219,7 +219,10 @@ pub(super) fn forces<S: Scalar>(
                 let (turn, rate) = (posture.turn::<S>(i), (S::load(qd[d]), S::load(qdd[d])));
                 with_twist!(m, C: S => hinge::<S, _>(ThenZ { turn, first: C }, m, rate, up, out))
             }
-            MotionKind::Slide => sliding::<S>(slide(m, q), m, (S::load(qd[d]), S::load(qdd[d])), up, out),
+            MotionKind::Slide => {
+                let rate = (S::load(qd[d]), S::load(qdd[d]));
+                with_turn!(m, C: S => sliding::<S, _>(slide(m, C, q), m, rate, up, out))
+            }
             MotionKind::Other if matches!(m.joint, Joint::Floating) => {
                 let [qd, qdd] = [qd, qdd].map(|x| six::<S>(&x[d..]));
                 floating(posture.placed::<S>(i), m, (qd, qdd), up, out)
@@ -247,8 +250,8 @@ fn hinge<S: Scalar, R: Rotation<S>>(
 
 /// A prismatic joint: v_J = z q̇.
 #[inline(always)]
-fn sliding<S: Scalar>(
-    X_up: Placed<S, Mat3<S>>,
+fn sliding<S: Scalar, R: Rotation<S>>(
+    X_up: Placed<S, R>,
     m: &Member<S::Constant>,
     (qd, qdd): (S, S),
     up: &Moving<S::Stored>,

@@ -86,6 +86,29 @@ macro_rules! with_twist {
 }
 pub(crate) use with_twist;
 
+/// The same for a body that slides, of which r is not known: with fewer types.
+macro_rules! with_turn {
+    ($member:expr, $C:ident: $S:ty => $step:expr) => {{
+        use $crate::model::Twist;
+        use $crate::spatial::Quarter;
+        match $member.twist {
+            Twist::Quarter => {
+                let $C = Quarter::<true>;
+                $step
+            }
+            Twist::ThreeQuarters => {
+                let $C = Quarter::<false>;
+                $step
+            }
+            _ => {
+                let $C = $member.C.map(<$S>::constant);
+                $step
+            }
+        }
+    }};
+}
+pub(crate) use with_turn;
+
 /// How a body stands against the one that carries it, in the frames of both.
 pub(super) struct Standing<T> {
     pub motion: MotionKind,
@@ -110,10 +133,20 @@ impl<T: Real> Frames<T> {
         let mut turns: Vec<Turn<T>> = vec![Turn::NONE; bodies.len()];
         for body in bodies {
             // Children come by ascending size of their subtrees: the last one decides.
-            if let (true, Some(p)) = (motion(body) == MotionKind::Hinge, body.parent())
+            if let (true, Some(p)) = (motion(body) != MotionKind::Other, body.parent())
                 && motion(&bodies[p]) != MotionKind::Other
             {
                 turns[p] = Euler::new(body.X_tree.E).beta;
+            }
+        }
+        // What slides and carries nothing is turned so that a quarter turn is all that is left, where that can be.
+        let carriers: Vec<usize> = bodies.iter().filter_map(Body::parent).collect();
+        let mut leaf = vec![true; bodies.len()];
+        carriers.iter().for_each(|&p| leaf[p] = false);
+        for (i, body) in bodies.iter().enumerate() {
+            if leaf[i] && motion(body) == MotionKind::Slide {
+                let turn = body.parent().map_or(Turn::NONE, |p| turns[p]);
+                turns[i] = Euler::new(body.X_tree.E * turn.matrix().transpose()).gamma.back();
             }
         }
         Self { turns, shifts: vec![T::ZERO; bodies.len()] }
@@ -138,7 +171,15 @@ impl<T: Real> Frames<T> {
                 self.shifts[i] = hinge.shift(T::from_f64(FAR) * length);
                 hinge
             }
-            MotionKind::Slide => standing(Turn::NONE, Twist::Any, rounded(own.matrix() * E)),
+            MotionKind::Slide => {
+                let C = rounded(own.matrix() * E);
+                let twist = match C {
+                    _ if C == Turn::QUARTER.about_x() => Twist::Quarter,
+                    _ if C == Turn::QUARTER.back().about_x() => Twist::ThreeQuarters,
+                    _ => Twist::Any,
+                };
+                standing(Turn::NONE, twist, C)
+            }
             MotionKind::Other if E == Mat3::IDENTITY => standing(Turn::NONE, Twist::Straight, E),
             MotionKind::Other => standing(Turn::NONE, Twist::Any, rounded(E)),
         }
@@ -193,6 +234,7 @@ struct Turn<T> {
 
 impl<T: Real> Turn<T> {
     const NONE: Self = Self { s: T::ZERO, c: T::ONE };
+    const QUARTER: Self = Self { s: T::ONE, c: T::ZERO };
 
     /// The turn of the direction (c, s), made unit; round where it is so to the last digits.
     fn new(s: T, c: T) -> Self {
@@ -207,6 +249,10 @@ impl<T: Real> Turn<T> {
         } else {
             Self { s, c }
         }
+    }
+
+    fn back(self) -> Self {
+        Self { s: -self.s, c: self.c }
     }
 
     fn then(self, b: Self) -> Self {
@@ -264,12 +310,11 @@ impl<T: Real> Euler<T> {
     /// β a quarter turn forwards, where it is one backwards: Rx(α) Rz(−90°) = Rz(180°) Rx(−α) Rz(90°).
     fn with_positive_corner(self) -> Self {
         let Self { gamma, alpha, beta } = self;
-        let quarter = Turn { s: T::ONE, c: T::ZERO };
         match beta.c == T::ZERO && beta.s < T::ZERO {
             true => Self {
                 gamma: gamma.then(Turn { s: T::ZERO, c: -T::ONE }),
-                alpha: Turn { s: -alpha.s, c: alpha.c },
-                beta: quarter,
+                alpha: alpha.back(),
+                beta: Turn::QUARTER,
             },
             false => self,
         }

@@ -23,7 +23,7 @@ pub use coupling::Coupling;
 pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};
 pub use finding::Finding;
-pub(crate) use frames::{Twist, with_twist};
+pub(crate) use frames::{Twist, with_turn, with_twist};
 pub(crate) use mechanism::{Block, COLUMNS, EMPTY, Mechanism, Member, MotionKind, SMALL};
 pub use random::Random;
 

@@ -19,7 +19,7 @@ pub use motion::{Force, Motion};
 pub(crate) use offset::{Offset, Zero};
 pub(crate) use pseudo::PseudoInertia;
 pub use rigid::RigidInertia;
-pub(crate) use rotation::{AboutX, Corner, Placed, Quarter, Rotation, Straight, ThenZ};
+pub(crate) use rotation::{AboutX, Anywhere, Corner, Placed, Quarter, Rotation, Straight, ThenZ};
 pub use sym3::Sym3;
 pub use transform::Transform;
 pub use vec3::Vec3;

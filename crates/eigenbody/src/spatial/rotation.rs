@@ -34,6 +34,10 @@ pub(crate) struct Corner<const FORWARDS: bool>;
 #[derive(Clone, Copy)]
 pub(crate) struct AboutX<T, const STEEP: bool>(pub T, pub T);
 
+/// Another rotation, to an origin that may stand anywhere.
+#[derive(Clone, Copy)]
+pub(crate) struct Anywhere<C>(pub C);
+
 /// First `first`, then a turn about z by the angle with this sine and cosine.
 #[derive(Clone, Copy)]
 pub(crate) struct ThenZ<T, C> {
@@ -161,6 +165,25 @@ impl<T: Scalar> Rotation<T> for Mat3<T> {
     #[inline(always)]
     fn similarity(self, A: Mat3<T>) -> Mat3<T> {
         self.transpose() * A * self
+    }
+}
+
+impl<T: Scalar, C: Rotation<T>> Rotation<T> for Anywhere<C> {
+    #[inline(always)]
+    fn times(self, v: Vec3<T>) -> Vec3<T> {
+        self.0.times(v)
+    }
+    #[inline(always)]
+    fn transpose_times(self, v: Vec3<T>) -> Vec3<T> {
+        self.0.transpose_times(v)
+    }
+    #[inline(always)]
+    fn congruence(self, A: Sym3<T>) -> Sym3<T> {
+        self.0.congruence(A)
+    }
+    #[inline(always)]
+    fn similarity(self, A: Mat3<T>) -> Mat3<T> {
+        self.0.similarity(A)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Constant rotations of every class, angles of every size.
 
+use eigenbody::batch::Batch;
 use eigenbody::dynamics::plain;
 use eigenbody::model::{JointSpec, Random};
 use eigenbody::scalar::Dd;
@@ -82,6 +83,69 @@ fn large_angles_are_no_worse() {
         let scale = book.iter().fold(0.0, |m: f64, x| m.max(x.abs())) * 50.0 * model.nv() as f64;
         for (x, y) in tau.iter().zip(&book) {
             assert!((x - y).abs() <= f64::EPSILON * scale, "{size:e}: {x} {y}");
+        }
+    }
+}
+
+/// A robot with every turn of a cube between the base and a child, and between that and a child of its own.
+fn cube(base: Base) -> Model<f64> {
+    let mut random = Random::new(8);
+    let mut robot = ModelBuilder::new("cube");
+    let mut inertia = || {
+        let c = Vec3::from_f64([0; 3].map(|_| random.between(-0.2, 0.2)));
+        RigidInertia::from_com(random.between(0.5, 3.0), c, Sym3::diagonal(0.02, 0.03, 0.04))
+    };
+    let root = robot.link("base", inertia());
+    for k in 0..24 {
+        let mut parent = root;
+        for (turn, kind) in [(k, Joint::Revolute), ((7 * k + 5) % 24, Joint::Revolute), (k, Joint::Prismatic)]
+        {
+            let (roll, side) = (f64::from(turn % 4), turn / 4);
+            let (pitch, yaw) = if side < 4 { (0.0, f64::from(side)) } else { (f64::from(2 * side - 9), 0.0) };
+            let [roll, pitch, yaw] = [roll, pitch, yaw].map(|quarters| quarters * FRAC_PI_2);
+            let name = format!("{k} {kind:?}, {}", parent == root);
+            let link = robot.link(name.clone(), inertia());
+            let place = Transform::new(Mat3::rotation_rpy(roll, pitch, yaw), Vec3::new(0.1, 0.2, -0.3));
+            robot.joint(JointSpec::new(name, kind, parent, link).at(place).about(Vec3::Z));
+            parent = link;
+        }
+    }
+    robot.build(base).unwrap()
+}
+
+#[test]
+fn every_turn_of_a_cube_agrees_with_the_book() {
+    for base in [Base::Fixed, Base::Floating] {
+        let model = cube(base);
+        let nv = model.nv();
+        let (mut q, mut v, mut vdot) = (Vec::new(), Vec::new(), Vec::new());
+        for k in 0..9 {
+            q.extend(model.random(k));
+            v.extend((0..nv).map(|d| ((d + 1) as f64 * (k + 1) as f64).sin()));
+            vdot.extend((0..nv).map(|d| ((d + 2) as f64 * (k + 1) as f64).cos()));
+        }
+        let batch = Batch::new(&model);
+        let (mut H, mut tau, mut back) = (vec![0.0; 9 * nv * nv], vec![0.0; 9 * nv], vec![0.0; 9 * nv]);
+        batch.mass_matrices(&q, &mut H).unwrap();
+        batch.inverse_dynamics(&q, &v, &vdot, &mut tau).unwrap();
+        batch.forward_dynamics(&q, &v, &tau, &mut back).unwrap();
+        let states = q.chunks_exact(model.nq()).zip(v.chunks_exact(nv)).zip(vdot.chunks_exact(nv));
+        for (k, ((q, v), vdot)) in states.enumerate() {
+            let (book, alone) = (plain::mass_matrix(&model, q).unwrap(), mass_matrix(&model, q).unwrap());
+            let forces = plain::inverse_dynamics(&model, q, v, vdot).unwrap();
+            // Every number passes through a few bodies; accelerations have lost κ(H) besides.
+            let largest = book.as_slice().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            for (d, &expected) in book.as_slice().iter().enumerate() {
+                let near = |found: f64| (found - expected).abs() <= 64.0 * f64::EPSILON * largest;
+                assert!(near(H[k * nv * nv + d]) && near(alone.as_slice()[d]), "{base:?} {k} entry {d}");
+            }
+            let strongest = forces.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            for d in 0..nv {
+                let apart = (tau[k * nv + d] - forces[d]).abs();
+                assert!(apart <= 64.0 * f64::EPSILON * strongest, "{base:?} {k} force {d}: {apart:e}");
+                let apart = (back[k * nv + d] - vdot[d]).abs();
+                assert!(apart <= 1e-11, "{base:?} {k} acceleration {d}: {apart:e}");
+            }
         }
     }
 }
