@@ -48,20 +48,22 @@ impl<T: Scalar> Posture<T> {
 
     #[inline(always)]
     fn bend<S: Scalar<Stored = T>, const FREE: bool>(&mut self, mechanism: &Mechanism<S::Constant>, q: &[T]) {
-        let Self { sin, cos, .. } = self;
-        let (s0, c0) =
-            (mechanism.sin_offset.chunks_exact(S::COLUMNS), mechanism.cos_offset.chunks_exact(S::COLUMNS));
-        let (sin, cos) = (sin.chunks_exact_mut(S::COLUMNS), cos.chunks_exact_mut(S::COLUMNS));
-        let places = mechanism.angles.chunks_exact(S::COLUMNS);
-        for ((places, (sin, cos)), (s0, c0)) in places.zip(sin.zip(cos)).zip(s0.zip(c0)) {
-            let mut angles = [T::ZERO; COLUMNS];
-            for k in 0..S::COLUMNS {
-                angles[k] = q[places[k] as usize];
+        let Mechanism { angles, sin_offset, cos_offset, .. } = mechanism;
+        let n = self.sin.len();
+        let (s0, c0, angles) = (&sin_offset[..n], &cos_offset[..n], &angles[..n]);
+        let (sin, cos) = (&mut self.sin[..n], &mut self.cos[..n]);
+        let mut first = 0;
+        while first + S::COLUMNS <= n {
+            let block = first..first + S::COLUMNS;
+            let mut of_block = [T::ZERO; COLUMNS];
+            for (angle, &place) in of_block.iter_mut().zip(&angles[block.clone()]) {
+                *angle = q[place as usize];
             }
-            let (s, c) = sin_cos_columns::<S>(S::load_columns(&angles));
-            let (s0, c0) = (S::constant_columns(s0), S::constant_columns(c0));
-            S::store_columns(s.mul_add(c0, c * s0), sin);
-            S::store_columns(c.mul_add(c0, -(s * s0)), cos);
+            let (s, c) = sin_cos_columns::<S>(S::load_columns(&of_block));
+            let (s0, c0) = (S::constant_columns(&s0[block.clone()]), S::constant_columns(&c0[block.clone()]));
+            S::store_columns(s.mul_add(c0, c * s0), &mut sin[block.clone()]);
+            S::store_columns(c.mul_add(c0, -(s * s0)), &mut cos[block]);
+            first += S::COLUMNS;
         }
         for i in 0..self.X.len() {
             let m = &mechanism.members[i];

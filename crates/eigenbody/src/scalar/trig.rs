@@ -21,6 +21,8 @@ pub struct Trig<T: 'static> {
     two_over_pi: T,
     /// −π/2 as a sum.
     minus_half_pi: [T; 3],
+    /// Whether the last of its parts, as often as it is taken at most, is no more than what rounding takes from the others.
+    tail_is_rounding: bool,
     /// sin x = x + x³(s₀ + s₁x² + ..), highest first.
     sin: &'static [T],
     /// cos x = 1 − x²/2 + x⁴(c₀ + c₁x² + ..), highest first.
@@ -34,6 +36,7 @@ pub(super) const DOUBLE: Trig<f64> = Trig {
     integer: 6_755_399_441_055_744.0,
     two_over_pi: std::f64::consts::FRAC_2_PI,
     minus_half_pi: [-1.57079632673412561417e+00, -6.07710050630396597660e-11, -2.02226624879595063154e-21],
+    tail_is_rounding: true,
     sin: &[
         1.58969099521155010221e-10,
         -2.50507602534068634195e-08,
@@ -59,6 +62,7 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     integer: 12_582_912.0,
     two_over_pi: std::f32::consts::FRAC_2_PI,
     minus_half_pi: [-1.570556640625, -0.000_239_670_276_641_845_7, -1.589_325_5e-8],
+    tail_is_rounding: false,
     sin: &[-1.951_529_589_1e-4, 8.332_160_873_6e-3, -1.666_665_461_1e-1],
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
 };
@@ -91,33 +95,39 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let [p0, p1, p2] = trig.minus_half_pi;
     let first = n.mul_add(S::constant(p0), x);
     let t = n.mul_add(S::constant(p1), first);
-    // What rounding took from the sum.
-    let lost = n.mul_add(S::constant(p1), first - t);
-    let tail = n.mul_add(S::constant(p2), lost);
-    let r = t + tail;
-    let y = (t - r) + tail;
+    // What rounding took from the sum, and the last digits of π/2.
+    let tail = n.mul_add(S::constant(p2), n.mul_add(S::constant(p1), first - t));
+    let (r, y) = match trig.tail_is_rounding {
+        true => (t, tail),
+        false => (t + tail, (t - (t + tail)) + tail),
+    };
 
     let half = S::from_f64(0.5);
     let z = r * r;
-    let (p, q) = (polynomial(z, trig.sin), polynomial(z, trig.cos));
+    let zz = z * z;
+    let (p, q) = (polynomial(z, zz, trig.sin), polynomial(z, zz, trig.cos));
     // sin(r + y) = sin r + y cos r,  cos(r + y) = cos r − y r
     let cube = z * r;
     let h = half * z;
     let s = r + cube.mul_add(p, y * (S::ONE - h));
     let w = S::ONE - h;
-    let c = w + (((S::ONE - w) - h) + (z * z).mul_add(q, -(r * y)));
+    let c = w + (((S::ONE - w) - h) + zz.mul_add(q, -(r * y)));
     n.quarters(shifted, s, c)
 }
 
-/// By Horner's rule, the highest power first.
+/// By Horner's rule in z², the highest power first: pairs of terms do not wait for each other.
 #[inline(always)]
-fn polynomial<S: Scalar>(z: S, coefficients: &[S::Constant]) -> S {
-    let Some((&first, others)) = coefficients.split_first() else { return S::ZERO };
-    let mut p = S::constant(first);
-    for &c in others {
-        p = p.mul_add(z, S::constant(c));
+fn polynomial<S: Scalar>(z: S, zz: S, coefficients: &[S::Constant]) -> S {
+    let (first, pairs) = coefficients.split_at(coefficients.len() % 2);
+    let mut p = first.first().map(|&c| S::constant(c));
+    for pair in pairs.chunks_exact(2) {
+        let two = S::constant(pair[0]).mul_add(z, S::constant(pair[1]));
+        p = Some(match p {
+            Some(p) => p.mul_add(zz, two),
+            None => two,
+        });
     }
-    p
+    p.unwrap_or(S::ZERO)
 }
 
 /// [`Scalar::quarters`] without a look at bits: j = n mod 4 in {−2, .., 2}.
