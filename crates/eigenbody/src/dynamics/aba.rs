@@ -269,7 +269,9 @@ fn outwards<S: Scalar>(
 #[inline(always)]
 fn accelerate<S: Scalar>(d: usize, a: Motion<S>, hinges: &[Hinge<S::Stored>], qdd: &mut [S::Stored]) -> S {
     let Hinge { u, U, D_inverse } = &hinges[d];
-    let qdd_d = (S::load(*u) - a.dot(U.map(S::load))) * S::load(*D_inverse);
+    // Two sums that do not wait for each other: the next body waits for this one.
+    let U = U.map(S::load);
+    let qdd_d = ((-a.ang).dot_add(U.ang, S::load(*u)) - a.lin.dot(U.lin)) * S::load(*D_inverse);
     qdd[d] = qdd_d.store();
     qdd_d
 }
