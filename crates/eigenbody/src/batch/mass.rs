@@ -130,7 +130,7 @@ impl<W: Wide> Rows<W> {
         for (i, m) in members.iter().enumerate().rev() {
             let mut Ic_i = m.I.map(W::constant);
             if !m.place.leaf {
-                Ic_i += Ic[m.level as usize];
+                Ic_i += Ic[m.own_sum()];
             }
             let d = m.v0 as usize;
             match m.motion {
@@ -166,7 +166,7 @@ impl<W: Wide> Rows<W> {
                 }
                 MotionKind::Other => posture.placed::<W>(i).transpose_pseudo(Ic_i),
             };
-            let sum = &mut Ic[m.level as usize - 1];
+            let sum = &mut Ic[m.carrier_sum()];
             if !m.place.last {
                 up += *sum;
             }

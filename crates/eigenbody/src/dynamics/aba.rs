@@ -182,7 +182,7 @@ fn inwards<S: Scalar>(
         let (mut IA_i, mut p_i) = if m.place.leaf {
             (body.articulated(), f_i)
         } else {
-            let (IA, p) = &carried[m.level as usize];
+            let (IA, p) = &carried[m.own_sum()];
             (IA.map(S::load).plus_body(body), f_i + p.map(S::load))
         };
         let mut eliminate =
@@ -211,7 +211,7 @@ fn inwards<S: Scalar>(
             }
             MotionKind::Other => posture.placed::<S>(i).transpose_both(IA_i, p_i),
         };
-        let (IA, p) = &mut carried[m.level as usize - 1];
+        let (IA, p) = &mut carried[m.carrier_sum()];
         if !m.place.last {
             (IA_up, p_up) = (IA_up + IA.map(S::load), p_up + p.map(S::load));
         }

@@ -181,7 +181,7 @@ fn crba<T: Real, S: Scalar<Constant = T, Stored = T>>(
     for (i, m) in members.iter().enumerate().rev() {
         let mut Ic_i = m.I.map(S::constant);
         if !m.place.leaf {
-            Ic_i += Ic[m.level as usize].map(S::load);
+            Ic_i += Ic[m.own_sum()].map(S::load);
         }
         own_block::<T, S>(model, posture, m, Ic_i, F, H);
         if m.parent == 0 {
@@ -208,7 +208,7 @@ fn crba<T: Real, S: Scalar<Constant = T, Stored = T>>(
             }
         };
         put_rows::<T, S>(posture, slots, m, &members[m.parent as usize - 1], F, H);
-        let sum = &mut Ic[m.level as usize - 1];
+        let sum = &mut Ic[m.carrier_sum()];
         if !m.place.last {
             up += sum.map(S::load);
         }

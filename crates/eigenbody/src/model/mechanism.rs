@@ -81,6 +81,19 @@ pub(crate) struct Member<T> {
 }
 
 impl<T> Member<T> {
+    /// Where what this body carries is summed up, tips first: by level, but in the world's place where there is but one child, which comes
+    /// just before. What is used next then stays close.
+    #[inline(always)]
+    pub fn own_sum(&self) -> usize {
+        if self.place.branches { self.level as usize } else { 0 }
+    }
+
+    /// [`own_sum`](Self::own_sum) of the body that carries it.
+    #[inline(always)]
+    pub fn carrier_sum(&self) -> usize {
+        if self.place.first && self.place.last { 0 } else { self.level as usize - 1 }
+    }
+
     /// Whether it moves freely in the world.
     #[inline(always)]
     pub fn is_free_root(&self) -> bool {
