@@ -10,9 +10,9 @@
 
 use crate::dynamics::{Posture, position, slide};
 use crate::joint::Column;
-use crate::model::{Mechanism, Member, Model, MotionKind, Twist, with_turn, with_twist};
+use crate::model::{Member, Model, MotionKind, with_turn, with_twist};
 use crate::scalar::{Real, Wide};
-use crate::spatial::{Force, Mat3, Placed, PseudoInertia, ThenZ, Vec3};
+use crate::spatial::{Force, Placed, PseudoInertia, ThenZ};
 
 /// Where the entries of H stand: made once for a batch.
 #[derive(Debug)]
@@ -85,33 +85,17 @@ impl Layout {
 /// Room for one group.
 pub(super) struct Rows<W: Wide> {
     posture: Posture<W>,
-    steps: Vec<Step<W::Constant>>,
     /// By level: inertia of all that a body carries, frozen.
     Ic: Vec<PseudoInertia<W>>,
     /// The entries, and a zero.
     pub H: Vec<W>,
 }
 
-/// What a column needs to know of a body on its way to the root.
-#[repr(C, align(128))]
-struct Step<T> {
-    /// One more than the body that carries it, 0 for the world.
-    parent: u32,
-    motion: MotionKind,
-    twist: Twist,
-    r: Vec3<T>,
-    C: Mat3<T>,
-}
-
 impl<W: Wide> Rows<W> {
     pub fn new(model: &Model<W::Constant>, layout: &Layout) -> Self {
-        let Mechanism { members, depth, .. } = &model.mechanism;
-        let step =
-            |&Member { parent, motion, twist, r, C, .. }: &Member<_>| Step { parent, motion, twist, r, C };
         Self {
             posture: Posture::new(&model.mechanism),
-            steps: members.iter().map(step).collect(),
-            Ic: vec![PseudoInertia::ZERO; depth + 1],
+            Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
             H: vec![W::ZERO; (layout.entries + 1).max(W::WIDTH)],
         }
     }
@@ -119,13 +103,12 @@ impl<W: Wide> Rows<W> {
     /// H at q.
     #[inline(always)]
     pub fn update(&mut self, model: &Model<W::Constant>, layout: &Layout, q: &[W]) {
-        let Self { posture, steps, Ic, H } = self;
+        let Self { posture, Ic, H } = self;
         posture.update_shape::<W>(&model.mechanism, q);
-        let n = steps.len();
-        let (members, armature) = (&model.mechanism.members[..n], model.armature.as_slice());
-        let (sin, cos) = (&posture.sin[..n], &posture.cos[..n]);
+        let (members, armature) = (model.mechanism.members.as_slice(), model.armature.as_slice());
+        let (sin, cos) = (&posture.sin[..members.len()], &posture.cos[..members.len()]);
         let (Ic, H) = (&mut Ic[..model.mechanism.depth + 1], &mut H[..layout.entries]);
-        let walk = Walk { model, posture, steps, sin, cos, q };
+        let walk = Walk { members, posture, sin, cos, q };
         let mut end = H.len();
         for (i, m) in members.iter().enumerate().rev() {
             let mut Ic_i = m.I.map(W::constant);
@@ -138,7 +121,7 @@ impl<W: Wide> Rows<W> {
                     let slide = m.motion == MotionKind::Slide;
                     let F = if slide { Ic_i.times_lin_z() } else { Ic_i.times_ang_z() };
                     let diagonal = end - 1;
-                    end = walk.own(i, F, H, end);
+                    end = walk.from(i, F, H, end);
                     H[diagonal] += W::constant(armature[d]);
                 }
                 MotionKind::Other => {
@@ -177,21 +160,20 @@ impl<W: Wide> Rows<W> {
 
 /// The ways of columns to the root. Entries are written before `end`, and where the next one ends is returned.
 struct Walk<'a, W: Wide> {
-    model: &'a Model<W::Constant>,
+    members: &'a [Member<W::Constant>],
     posture: &'a Posture<W>,
-    steps: &'a [Step<W::Constant>],
     sin: &'a [W],
     cos: &'a [W],
     q: &'a [W],
 }
 
 impl<W: Wide> Walk<'_, W> {
-    /// The entries at body i, which moves as no other, and all that carry it.
+    /// The entries at body i and at all that carry it, of a column that has come to its frame.
     #[inline(always)]
-    fn own(&self, mut i: usize, mut F: Force<W>, H: &mut [W], mut end: usize) -> usize {
-        let Self { steps, sin, cos, .. } = *self;
+    fn from(&self, mut i: usize, mut F: Force<W>, H: &mut [W], mut end: usize) -> usize {
+        let Self { members, sin, cos, .. } = *self;
         loop {
-            let m = &steps[i];
+            let m = &members[i];
             match m.motion {
                 MotionKind::Hinge => {
                     end -= 1;
@@ -199,7 +181,7 @@ impl<W: Wide> Walk<'_, W> {
                     if m.parent == 0 {
                         return end;
                     }
-                    let (turn, r) = ((sin[i], cos[i]), m.r.map(W::constant));
+                    let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
                     F = with_twist!(m, C: W => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(F));
                 }
                 MotionKind::Slide => {
@@ -208,11 +190,9 @@ impl<W: Wide> Walk<'_, W> {
                     if m.parent == 0 {
                         return end;
                     }
-                    let m = &self.model.mechanism.members[i];
                     F = with_turn!(m, C: W => slide::<W, _>(m, C, self.q).transpose_force(F));
                 }
                 MotionKind::Other => {
-                    let m = &self.model.mechanism.members[i];
                     end = self.along(m.v0 as usize, m.joint.columns(), F, H, end);
                     if m.parent == 0 {
                         return end;
@@ -224,12 +204,12 @@ impl<W: Wide> Walk<'_, W> {
         }
     }
 
-    /// F of body i past all bodies that carry it.
+    /// The same without body i itself.
     #[inline(always)]
     fn inwards(&self, i: usize, F: Force<W>, H: &mut [W], end: usize) -> usize {
-        match self.steps[i].parent {
+        match self.members[i].parent {
             0 => end,
-            p => self.own(p as usize - 1, self.posture.placed::<W>(i).transpose_force(F), H, end),
+            p => self.from(p as usize - 1, self.posture.placed::<W>(i).transpose_force(F), H, end),
         }
     }
 
