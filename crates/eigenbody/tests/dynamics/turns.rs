@@ -149,3 +149,34 @@ fn every_turn_of_a_cube_agrees_with_the_book() {
         }
     }
 }
+
+/// Along parallel axes shifts of origins add up until they are too far, and begin again.
+#[test]
+fn a_tall_stack_agrees_with_double_double() {
+    let mut robot = ModelBuilder::new("stack");
+    let inertia =
+        || RigidInertia::from_com(1.0, Vec3::from_f64([0.03, 0.02, 0.01]), Sym3::diagonal(1e-3, 2e-3, 2e-3));
+    let mut parent = robot.link("base", inertia());
+    for k in 0..60 {
+        let (roll, r) = if (2..57).contains(&k) { (0.0, [0.1, 0.0, 1.0]) } else { (FRAC_PI_2, [0.1, 0.05, 0.0]) };
+        let link = robot.link(format!("link {k}"), inertia());
+        let place = Transform::new(Mat3::rotation_rpy(roll, 0.0, 0.0), Vec3::from_f64(r));
+        robot.joint(
+            JointSpec::new(format!("joint {k}"), Joint::Revolute, parent, link).at(place).about(Vec3::Z),
+        );
+        parent = link;
+    }
+    let model = robot.build(Base::Fixed).unwrap();
+    let (q, nv) = (model.random(4), model.nv());
+    let exact =
+        plain::mass_matrix(&model.cast::<Dd>(), &q.iter().map(|&q| q.into()).collect::<Vec<Dd>>()).unwrap();
+    let mut H = vec![0.0; 8 * nv * nv];
+    Batch::new(&model).mass_matrices(&q.repeat(8), &mut H).unwrap();
+    for d in 0..nv {
+        for e in 0..nv {
+            let size = (exact[(d, d)].hi() * exact[(e, e)].hi()).sqrt();
+            let apart = (H[d * nv + e] - exact[(d, e)].hi()).abs();
+            assert!(apart <= 4.0 * nv as f64 * f64::EPSILON * size, "H({d}, {e}): {apart:e} of {size:e}");
+        }
+    }
+}
