@@ -158,7 +158,8 @@ fn a_tall_stack_agrees_with_double_double() {
         || RigidInertia::from_com(1.0, Vec3::from_f64([0.03, 0.02, 0.01]), Sym3::diagonal(1e-3, 2e-3, 2e-3));
     let mut parent = robot.link("base", inertia());
     for k in 0..60 {
-        let (roll, r) = if (2..57).contains(&k) { (0.0, [0.1, 0.0, 1.0]) } else { (FRAC_PI_2, [0.1, 0.05, 0.0]) };
+        let (roll, r) =
+            if (2..57).contains(&k) { (0.0, [0.1, 0.0, 1.0]) } else { (FRAC_PI_2, [0.1, 0.05, 0.0]) };
         let link = robot.link(format!("link {k}"), inertia());
         let place = Transform::new(Mat3::rotation_rpy(roll, 0.0, 0.0), Vec3::from_f64(r));
         robot.joint(
