@@ -21,7 +21,7 @@ pub struct Trig<T: 'static> {
     two_over_pi: T,
     /// −π/2 as a sum.
     minus_half_pi: [T; 3],
-    /// Whether the last of its parts, as often as it is taken at most, is no more than what rounding takes from the others.
+    /// Whether the last of its parts, as often as it is taken at most, is so small that only its first order counts.
     tail_is_rounding: bool,
     /// sin x = x + x³(s₀ + s₁x² + ..), highest first.
     sin: &'static [T],
