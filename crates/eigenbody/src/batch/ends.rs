@@ -1,6 +1,6 @@
 //! λmin, λmax and κ′ of a group of configurations: from the matrices, side by side, as far as those know them.
 
-use super::mass::{Layout, Rows};
+use super::mass::{Columns, Layout};
 use super::{Faults, GROUP, Kernel};
 use crate::conditioning::Values;
 use crate::error::Error;
@@ -29,7 +29,7 @@ pub(super) struct Spectra<'a> {
 
 /// H, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF, by place in pre-order.
 pub(super) struct Room<W: Wide> {
-    rows: Rows<W>,
+    columns: Columns<W>,
     one: Packed<W>,
     two: Packed<Two<W>>,
     units: Vec<W>,
@@ -54,7 +54,7 @@ impl Kernel<f64> for Spectra<'_> {
         let (one, two) = if self.together() { (0, nv) } else { (nv, 0) };
         let units = self.layout.order().map(|d| W::ONE / W::constant(self.weights[d]).sqrt());
         Room {
-            rows: Rows::new(model, self.layout),
+            columns: Columns::new(model, self.layout),
             one: Packed::new(one),
             two: Packed::new(two),
             units: units.collect(),
@@ -68,13 +68,13 @@ impl Kernel<f64> for Spectra<'_> {
         model: &Model<f64>,
         q: &[W],
         group: Range<usize>,
-        Room { rows, one, two, units, own }: &mut Room<W>,
+        Room { columns, one, two, units, own }: &mut Room<W>,
         _: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
         let layout = self.layout;
-        rows.update(model, layout, q);
-        let H = &rows.H;
+        columns.update(model, layout, q);
+        let H = columns.entries(layout);
         let unit_diagonal = *self.metric == Metric::UnitDiagonal;
         let weighted = self.weighted || unit_diagonal;
         if weighted {

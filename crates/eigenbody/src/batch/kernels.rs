@@ -1,6 +1,6 @@
 //! H, τ and v̇ of a group of configurations.
 
-use super::mass::{Layout, Rows};
+use super::mass::{Columns, Layout};
 use super::turn::{self, from_lanes, from_places, into_lanes};
 use super::{AbaWorkspace, Faults, GROUP, Kernel, RneaWorkspace};
 use crate::dynamics::{Aba, Rnea};
@@ -21,11 +21,11 @@ pub struct Masses<'a, T> {
 
 impl<T: Batched> Kernel<T> for Masses<'_, T> {
     type Output = ();
-    type Room<W: Wide<Constant = T>> = Rows<W>;
+    type Room<W: Wide<Constant = T>> = Columns<W>;
 
     #[inline(always)]
-    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Rows<W> {
-        Rows::new(model, self.layout)
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Columns<W> {
+        Columns::new(model, self.layout)
     }
 
     #[inline(always)]
@@ -34,15 +34,16 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         model: &Model<T>,
         q: &[W],
         group: Range<usize>,
-        rows: &mut Rows<W>,
+        columns: &mut Columns<W>,
         _: &mut Faults<W>,
         (): &mut (),
     ) {
         let (first, lanes) = (group.start, group.len());
-        rows.update(model, self.layout, q);
+        columns.update(model, self.layout, q);
+        let H = columns.entries(self.layout);
         match (self.places, self.layout.entries) {
-            (Some(places), _) => from_places(&rows.H, places, lanes, &mut self.H[first * places.len()..]),
-            (None, n) => from_lanes(&rows.H, n, lanes, &mut self.H[first * n..]),
+            (Some(places), _) => from_places(H, places, lanes, &mut self.H[first * places.len()..]),
+            (None, n) => from_lanes(H, n, lanes, &mut self.H[first * n..]),
         }
     }
 }

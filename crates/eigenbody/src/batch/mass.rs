@@ -1,18 +1,20 @@
 //! H of a group of configurations, one a lane.
 //!
 //! ```text
-//! for i = N..1:   for each d of body i, the last first:     F = Ic_i S_d;   H_de = F · S_e   for the DoFs e of body i up to d
-//!                 for j = i, its carrier, and so on:        F = X_upᵀ F;    H_de = F · S_e   for the DoFs e of parent(j)
+//! for i = N..1:   for each d of body i:         F_d = Ic_i S_d
+//!                 for each d of its subtree:    H_de = F_d · S_e   for the DoFs e of body i up to d;   F_d = X_upᵀ F_d
 //! ```
-//! Featherstone (2008), table 6.2, column by column: F stays in registers all the way to the root. What it leaves behind are rows of the
-//! lower triangle without the zeros between branches, written from the end to the beginning. Whole rows of the caller's matrices come of
-//! it at last, or it is used as it is.
+//! Featherstone (2008), table 6.2, all columns of a subtree at once: what is known of a joint is looked at once for all of them. H is kept
+//! by rows of the upper triangle that hold the subtree of their degree of freedom and nothing else; and those of a free root, whose S is
+//! 1, are the columns F that have come to it. Whole rows of the caller's matrices come of it at last, or it is used as it is.
 
 use crate::dynamics::{Posture, position, slide};
-use crate::joint::Column;
 use crate::model::{Member, Model, MotionKind, with_turn, with_twist};
 use crate::scalar::{Real, Wide};
-use crate::spatial::{Force, Placed, PseudoInertia, ThenZ};
+use crate::spatial::{Force, Placed, PseudoInertia, Rotation, ThenZ, Vec3};
+
+/// Degrees of freedom of a free root, and numbers of a column.
+const SIX: usize = 6;
 
 /// Where the entries of H stand: made once for a batch.
 #[derive(Debug)]
@@ -20,10 +22,17 @@ pub(super) struct Layout {
     pub nv: usize,
     /// By place in pre-order: the degree of freedom.
     order: Vec<u32>,
-    /// Row and column of every entry, by places in pre-order: row after row, each from the root to the diagonal.
+    /// Row and column of every entry, by places in pre-order.
     pairs: Vec<(u32, u32)>,
     /// By place in pre-order: the entry on the diagonal.
     diagonal: Vec<u32>,
+    /// By body.
+    subtrees: Vec<Subtree>,
+    /// Columns in all, and how many of them stand before those that come to a free root.
+    columns: usize,
+    apart: usize,
+    /// Whether no degree of freedom has any.
+    no_armature: bool,
     /// nv × nv: which entry stands there. The last one is zero.
     pub places: Vec<u32>,
     /// The lower triangle by rows, degrees of freedom in pre-order: which entry stands there.
@@ -32,36 +41,82 @@ pub(super) struct Layout {
     pub entries: usize,
 }
 
+/// What stands where of a body and of all that it carries.
+#[derive(Debug, Clone, Copy)]
+struct Subtree {
+    /// The first of its columns, and how many there are; a free root itself has none.
+    column: u32,
+    count: u32,
+    /// Where its own rows begin.
+    row: u32,
+}
+
 impl Layout {
     pub fn new<T: Real>(model: &Model<T>) -> Self {
         let (nv, members) = (model.nv(), &model.mechanism.members);
-        let order: Vec<usize> = model.dofs().order().collect();
-        // The columns of a body's last row, by level: those of its carrier, and its own.
-        let mut paths: Vec<Vec<u32>> = vec![Vec::new()];
-        let (mut pairs, mut diagonal) = (Vec::new(), Vec::new());
-        for m in members {
-            paths.truncate(m.level as usize);
-            let mut path = paths.last().cloned().unwrap_or_default();
-            for _ in 0..m.joint.nv() {
-                let row = diagonal.len() as u32;
-                path.push(row);
-                pairs.extend(path.iter().map(|&column| (row, column)));
-                diagonal.push(pairs.len() as u32 - 1);
-            }
-            paths.push(path);
+        // By body: the first of its degrees of freedom in pre-order, and one more than the last that it carries.
+        let mut first = vec![0; members.len()];
+        for i in 1..members.len() {
+            first[i] = first[i - 1] + members[i - 1].joint.nv();
         }
+        let mut end: Vec<usize> = first.iter().zip(members).map(|(&first, m)| first + m.joint.nv()).collect();
+        for (i, m) in members.iter().enumerate().rev() {
+            if let Some(p) = (m.parent as usize).checked_sub(1) {
+                end[p] = end[p].max(end[i]);
+            }
+        }
+        // Columns that come to a free root stand after all others, and are entries.
+        let roots = || members.iter().enumerate().filter(|(_, m)| m.parent == 0);
+        let apart: usize =
+            roots().filter(|(_, m)| !m.is_free_root()).map(|(i, _)| end[i] - first[i]).sum();
+        let mut next = [0, apart];
+        let mut column = vec![0; nv];
+        let mut pairs: Vec<(u32, u32)> = Vec::new();
+        for (i, m) in roots() {
+            let free = m.is_free_root();
+            for place in first[i] + if free { SIX } else { 0 }..end[i] {
+                column[place] = next[usize::from(free)];
+                next[usize::from(free)] += 1;
+                if free {
+                    pairs.extend((first[i]..).take(SIX).map(|row| (row as u32, place as u32)));
+                }
+            }
+        }
+        let columns = next[1];
+        let mut diagonal = Vec::with_capacity(nv);
+        let mut subtrees = Vec::with_capacity(members.len());
+        for (i, m) in members.iter().enumerate() {
+            let row = pairs.len() as u32 - SIX as u32 * (columns - apart) as u32;
+            let own = first[i]..first[i] + m.joint.nv();
+            let carried = if m.is_free_root() { own.end } else { own.start };
+            for d in own.clone() {
+                if m.is_free_root() {
+                    pairs.extend((own.start..=d).map(|column| (d as u32, column as u32)));
+                    diagonal.push(pairs.len() as u32 - 1);
+                } else {
+                    diagonal.push(pairs.len() as u32);
+                    pairs.extend((d..end[i]).map(|column| (d as u32, column as u32)));
+                }
+            }
+            subtrees.push(Subtree {
+                column: column.get(carried).copied().unwrap_or(0) as u32,
+                count: (end[i] - carried) as u32,
+                row,
+            });
+        }
+        let order: Vec<u32> = model.dofs().order().map(|d| d as u32).collect();
         let entries = pairs.len();
-        let mut packed = vec![entries as u32; nv * (nv + 1) / 2];
         let mut places = vec![entries as u32; nv * nv];
+        let mut packed = vec![entries as u32; nv * (nv + 1) / 2];
         for (entry, &(row, column)) in (0..).zip(&pairs) {
-            let (row, column) = (row as usize, column as usize);
-            packed[row * (row + 1) / 2 + column] = entry;
-            let (d, e) = (order[row], order[column]);
+            let (least, most) = (row.min(column) as usize, row.max(column) as usize);
+            packed[most * (most + 1) / 2 + least] = entry;
+            let (d, e) = (order[least] as usize, order[most] as usize);
             places[d * nv + e] = entry;
             places[e * nv + d] = entry;
         }
-        let order = order.into_iter().map(|d| d as u32).collect();
-        Self { nv, order, pairs, diagonal, places, packed, entries }
+        let no_armature = model.armature.iter().all(|&a| a == T::ZERO);
+        Self { nv, order, pairs, diagonal, subtrees, columns, apart, no_armature, places, packed, entries }
     }
 
     /// Row and column of every entry.
@@ -83,71 +138,99 @@ impl Layout {
 }
 
 /// Room for one group.
-pub(super) struct Rows<W: Wide> {
+pub(super) struct Columns<W: Wide> {
     posture: Posture<W>,
     /// By level: inertia of all that a body carries, frozen.
     Ic: Vec<PseudoInertia<W>>,
-    /// The entries, and a zero.
-    pub H: Vec<W>,
+    /// Six numbers for every column, F in the frame of the body that it has come to; then the rows, and a zero.
+    numbers: Vec<W>,
 }
 
-impl<W: Wide> Rows<W> {
+impl<W: Wide> Columns<W> {
     pub fn new(model: &Model<W::Constant>, layout: &Layout) -> Self {
         Self {
             posture: Posture::new(&model.mechanism),
             Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
-            H: vec![W::ZERO; (layout.entries + 1).max(W::WIDTH)],
+            numbers: vec![W::ZERO; SIX * layout.apart + (layout.entries + 1).max(W::WIDTH)],
         }
+    }
+
+    /// The entries, and a zero.
+    #[inline(always)]
+    pub fn entries(&self, layout: &Layout) -> &[W] {
+        &self.numbers[SIX * layout.apart..]
     }
 
     /// H at q.
     #[inline(always)]
     pub fn update(&mut self, model: &Model<W::Constant>, layout: &Layout, q: &[W]) {
-        let Self { posture, Ic, H } = self;
+        let Self { posture, Ic, numbers } = self;
         posture.update_shape::<W>(&model.mechanism, q);
-        let (members, armature) = (model.mechanism.members.as_slice(), model.armature.as_slice());
+        let members = model.mechanism.members.as_slice();
         let (sin, cos) = (&posture.sin[..members.len()], &posture.cos[..members.len()]);
-        let (Ic, H) = (&mut Ic[..model.mechanism.depth + 1], &mut H[..layout.entries]);
-        let walk = Walk { members, posture, sin, cos, q };
-        let mut end = H.len();
-        for (i, m) in members.iter().enumerate().rev() {
+        let Ic = &mut Ic[..model.mechanism.depth + 1];
+        let (columns, rows) = numbers.split_at_mut(SIX * layout.columns);
+        let (columns, _) = columns.as_chunks_mut::<SIX>();
+        for (i, (m, subtree)) in members.iter().zip(&layout.subtrees).enumerate().rev() {
             let mut Ic_i = m.I.map(W::constant);
             if !m.place.leaf {
                 Ic_i += Ic[m.own_sum()];
             }
-            let d = m.v0 as usize;
-            match m.motion {
-                MotionKind::Hinge | MotionKind::Slide => {
-                    let slide = m.motion == MotionKind::Slide;
-                    let F = if slide { Ic_i.times_lin_z() } else { Ic_i.times_ang_z() };
-                    let diagonal = end - 1;
-                    end = walk.from(i, F, H, end);
-                    H[diagonal] += W::constant(armature[d]);
-                }
-                MotionKind::Other => {
-                    let (Ic_i, columns) = (Ic_i.rigid(), m.joint.columns());
-                    for (k, &column) in columns.iter().enumerate().rev() {
-                        let S_d = posture.S[d + k];
-                        let F = Ic_i.times(S_d);
-                        end -= 1;
-                        H[end] = column.along(S_d, F) + W::constant(armature[d + k]);
-                        end = walk.along(d, &columns[..k], F, H, end);
-                        end = walk.inwards(i, F, H, end);
-                    }
-                }
-            }
-            if m.parent == 0 {
-                continue;
-            }
+            let columns = &mut columns[subtree.column as usize..][..subtree.count as usize];
+            let rows = &mut rows[subtree.row as usize..];
             let mut up = match m.motion {
                 MotionKind::Hinge => {
+                    let H = &mut rows[..columns.len()];
+                    let (Some((own, columns)), Some((H_ii, H))) = (columns.split_first_mut(), H.split_first_mut())
+                    else {
+                        continue;
+                    };
+                    let F_i = Ic_i.times_ang_z();
+                    *H_ii = F_i.ang.z;
+                    if m.parent == 0 {
+                        for (H, F) in H.iter_mut().zip(columns) {
+                            *H = F[2];
+                        }
+                        continue;
+                    }
                     let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
-                    with_twist!(m, C: W => Placed { E: ThenZ { turn, first: C }, r }.transpose_pseudo(Ic_i))
+                    with_twist!(m, C: W => {
+                        let X = Placed { E: ThenZ { turn, first: C }, r };
+                        *own = X.transpose_force(F_i).to_array();
+                        for (H, F) in H.iter_mut().zip(columns) {
+                            *H = F[2];
+                            *F = X.transpose_force(force(F)).to_array();
+                        }
+                        X.transpose_pseudo(Ic_i)
+                    })
                 }
                 MotionKind::Slide => {
-                    with_turn!(m, C: W => slide::<W, _>(m, C, q).transpose_pseudo(Ic_i))
+                    columns[0] = Ic_i.times_lin_z().to_array();
+                    for (H, F) in rows.iter_mut().zip(&*columns) {
+                        *H = F[5];
+                    }
+                    if m.parent == 0 {
+                        continue;
+                    }
+                    with_turn!(m, C: W => inwards(slide::<W, _>(m, C, q), columns, Ic_i))
                 }
-                MotionKind::Other => posture.placed::<W>(i).transpose_pseudo(Ic_i),
+                MotionKind::Other if m.is_free_root() => {
+                    let lower = Ic_i.articulated().rows();
+                    let mut rows = rows.iter_mut();
+                    for (d, row) in lower.iter().enumerate() {
+                        for (&x, H) in row[..=d].iter().zip(rows.by_ref()) {
+                            *H = x;
+                        }
+                    }
+                    continue;
+                }
+                MotionKind::Other => {
+                    own_rows(posture, m, Ic_i, columns, rows);
+                    if m.parent == 0 {
+                        continue;
+                    }
+                    inwards(posture.placed::<W>(i), columns, Ic_i)
+                }
             };
             let sum = &mut Ic[m.carrier_sum()];
             if !m.place.last {
@@ -155,76 +238,51 @@ impl<W: Wide> Rows<W> {
             }
             *sum = up;
         }
-    }
-}
-
-/// The ways of columns to the root. Entries are written before `end`, and where the next one ends is returned.
-struct Walk<'a, W: Wide> {
-    members: &'a [Member<W::Constant>],
-    posture: &'a Posture<W>,
-    sin: &'a [W],
-    cos: &'a [W],
-    q: &'a [W],
-}
-
-impl<W: Wide> Walk<'_, W> {
-    /// The entries at body i and at all that carry it, of a column that has come to its frame.
-    #[inline(always)]
-    fn from(&self, mut i: usize, mut F: Force<W>, H: &mut [W], mut end: usize) -> usize {
-        let Self { members, sin, cos, .. } = *self;
-        loop {
-            let m = &members[i];
-            match m.motion {
-                MotionKind::Hinge => {
-                    end -= 1;
-                    H[end] = F.ang.z;
-                    if m.parent == 0 {
-                        return end;
-                    }
-                    let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
-                    F = with_twist!(m, C: W => Placed { E: ThenZ { turn, first: C }, r }.transpose_force(F));
-                }
-                MotionKind::Slide => {
-                    end -= 1;
-                    H[end] = F.lin.z;
-                    if m.parent == 0 {
-                        return end;
-                    }
-                    F = with_turn!(m, C: W => slide::<W, _>(m, C, self.q).transpose_force(F));
-                }
-                MotionKind::Other => {
-                    end = self.along(m.v0 as usize, m.joint.columns(), F, H, end);
-                    if m.parent == 0 {
-                        return end;
-                    }
-                    F = self.posture.placed::<W>(i).transpose_force(F);
-                }
+        if !layout.no_armature {
+            let H = &mut numbers[SIX * layout.apart..];
+            for (place, d) in layout.order().enumerate() {
+                H[layout.diagonal(place)] += W::constant(model.armature[d]);
             }
-            i = m.parent as usize - 1;
         }
     }
+}
 
-    /// The same without body i itself.
-    #[inline(always)]
-    fn inwards(&self, i: usize, F: Force<W>, H: &mut [W], end: usize) -> usize {
-        match self.members[i].parent {
-            0 => end,
-            p => self.from(p as usize - 1, self.posture.placed::<W>(i).transpose_force(F), H, end),
-        }
+#[inline(always)]
+fn force<W: Wide>(&[nx, ny, nz, x, y, z]: &[W; SIX]) -> Force<W> {
+    Force::new(Vec3::new(nx, ny, nz), Vec3::new(x, y, z))
+}
+
+/// Columns and inertia as the body inwards has them.
+#[inline(always)]
+fn inwards<W: Wide, R: Rotation<W>>(
+    X: Placed<W, R>,
+    columns: &mut [[W; SIX]],
+    Ic: PseudoInertia<W>,
+) -> PseudoInertia<W> {
+    for F in columns {
+        *F = X.transpose_force(force(F)).to_array();
     }
+    X.transpose_pseudo(Ic)
+}
 
-    /// The entries at some degrees of freedom of a body, from d on.
-    #[inline(always)]
-    fn along(&self, d: usize, columns: &[Column], F: Force<W>, H: &mut [W], end: usize) -> usize {
-        if columns.len() == 6 {
-            let Force { ang, lin } = F;
-            H[end - 6..end].copy_from_slice(&[ang.x, ang.y, ang.z, lin.x, lin.y, lin.z]);
-            return end - 6;
+/// Columns and rows of a body on a joint that is neither hinge nor slide.
+#[inline(always)]
+fn own_rows<W: Wide>(
+    posture: &Posture<W>,
+    m: &Member<W::Constant>,
+    Ic: PseudoInertia<W>,
+    columns: &mut [[W; SIX]],
+    rows: &mut [W],
+) {
+    let Ic = Ic.rigid();
+    let S = &posture.S[m.v0 as usize..][..m.joint.nv()];
+    for (F, &S) in columns.iter_mut().zip(S) {
+        *F = Ic.times(S).to_array();
+    }
+    let mut rows = rows.iter_mut();
+    for (k, (&S, &column)) in S.iter().zip(m.joint.columns()).enumerate() {
+        for (F, H) in columns[k..].iter().zip(rows.by_ref()) {
+            *H = column.along(S, force(F));
         }
-        let first = end - columns.len();
-        for ((H_de, &column), &S_e) in H[first..end].iter_mut().zip(columns).zip(&self.posture.S[d..]) {
-            *H_de = column.along(S_e, F);
-        }
-        first
     }
 }

@@ -4,6 +4,8 @@ use crate::scalar::{MOST_LANES, Scalar, Wide};
 
 /// Numbers that are turned at once.
 const BLOCK: usize = 4;
+/// How far ahead of what is written its memory is asked for. Rows of a group are long and lie apart: nothing else foresees them.
+const AHEAD: usize = 8;
 
 /// Room for `n` values in lanes, and for whole registers of them at least.
 pub(super) fn room<W: Wide>(n: usize) -> Vec<W> {
@@ -53,6 +55,7 @@ pub(super) fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W:
         for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
             for (row, x) in rows.iter_mut().zip(turned(&x[at..at + W::WIDTH], BLOCK * quarter)) {
                 x.to_slice(&mut row[at..]);
+                W::announce(row, at + AHEAD);
             }
         }
         first += W::WIDTH;
@@ -82,10 +85,10 @@ pub(super) fn from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &
                 *value = &x[place as usize];
             }
             let [p, q, r, s] = W::turn(&values, BLOCK * quarter);
-            p.to_slice(&mut a[at..]);
-            q.to_slice(&mut b[at..]);
-            r.to_slice(&mut c[at..]);
-            s.to_slice(&mut d[at..]);
+            for (row, x) in [(&mut *a, p), (&mut *b, q), (&mut *c, r), (&mut *d, s)] {
+                x.to_slice(&mut row[at..]);
+                W::announce(row, at + AHEAD);
+            }
             first += W::WIDTH;
         }
     }

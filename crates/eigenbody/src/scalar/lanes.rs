@@ -28,6 +28,9 @@ pub trait Wide: Scalar<Stored = Self> {
     fn gather(rows: &[&[Self::Constant]; MOST_LANES], first: usize) -> [Self; 4];
     /// Four lanes from `first` on of each of [`WIDTH`](Self::WIDTH) values: lane j of number k is lane `first + k` of `x[j]`.
     fn turn(x: &[&Self; MOST_LANES], first: usize) -> [Self; 4];
+    /// Says that `out[at]` and what follows will be written soon: its line of memory may come closer. Beyond the end it says nothing.
+    #[inline(always)]
+    fn announce(_out: &[Self::Constant], _at: usize) {}
 }
 
 /// Lanes of the widest unit.

@@ -178,6 +178,11 @@ macro_rules! register {
                 }
                 Self::four(&rows, first)
             }
+            #[inline(always)]
+            fn announce(out: &[$T], at: usize) {
+                // SAFETY: promise 2; a hint about any address reads and writes nothing.
+                unsafe { _mm_prefetch::<_MM_HINT_ET0>(out.as_ptr().wrapping_add(at).cast()) };
+            }
         }
     };
 }
