@@ -67,8 +67,7 @@ impl Layout {
         }
         // Columns that come to a free root stand after all others, and are entries.
         let roots = || members.iter().enumerate().filter(|(_, m)| m.parent == 0);
-        let apart: usize =
-            roots().filter(|(_, m)| !m.is_free_root()).map(|(i, _)| end[i] - first[i]).sum();
+        let apart: usize = roots().filter(|(_, m)| !m.is_free_root()).map(|(i, _)| end[i] - first[i]).sum();
         let mut next = [0, apart];
         let mut column = vec![0; nv];
         let mut pairs: Vec<(u32, u32)> = Vec::new();
@@ -181,7 +180,8 @@ impl<W: Wide> Columns<W> {
             let mut up = match m.motion {
                 MotionKind::Hinge => {
                     let H = &mut rows[..columns.len()];
-                    let (Some((own, columns)), Some((H_ii, H))) = (columns.split_first_mut(), H.split_first_mut())
+                    let (Some((own, columns)), Some((H_ii, H))) =
+                        (columns.split_first_mut(), H.split_first_mut())
                     else {
                         continue;
                     };
