@@ -139,7 +139,7 @@ impl Layout {
 /// Room for one group.
 pub(super) struct Columns<W: Wide> {
     posture: Posture<W>,
-    /// By level: inertia of all that a body carries, frozen.
+    /// By level: inertia of all that a body carries, frozen; of bodies that carry several.
     Ic: Vec<PseudoInertia<W>>,
     /// Six numbers for every column, F in the frame of the body that it has come to; then the rows, and a zero.
     numbers: Vec<W>,
@@ -170,36 +170,36 @@ impl<W: Wide> Columns<W> {
         let Ic = &mut Ic[..model.mechanism.depth + 1];
         let (columns, rows) = numbers.split_at_mut(SIX * layout.columns);
         let (columns, _) = columns.as_chunks_mut::<SIX>();
+        // What the body just done hands down, if it is the only one on the next.
+        let mut carried = PseudoInertia::ZERO;
         for (i, (m, subtree)) in members.iter().zip(&layout.subtrees).enumerate().rev() {
             let mut Ic_i = m.I.map(W::constant);
-            if !m.place.leaf {
-                Ic_i += Ic[m.own_sum()];
+            if m.place.branches {
+                Ic_i += Ic[m.level as usize];
+            } else if !m.place.leaf {
+                Ic_i += carried;
             }
-            let columns = &mut columns[subtree.column as usize..][..subtree.count as usize];
+            let count = subtree.count as usize;
+            let columns = &mut columns[subtree.column as usize..][..count];
             let rows = &mut rows[subtree.row as usize..];
             let mut up = match m.motion {
                 MotionKind::Hinge => {
-                    let H = &mut rows[..columns.len()];
-                    let (Some((own, columns)), Some((H_ii, H))) =
-                        (columns.split_first_mut(), H.split_first_mut())
-                    else {
-                        continue;
-                    };
+                    let H = &mut rows[..count];
                     let F_i = Ic_i.times_ang_z();
-                    *H_ii = F_i.ang.z;
+                    H[0] = F_i.ang.z;
                     if m.parent == 0 {
-                        for (H, F) in H.iter_mut().zip(columns) {
-                            *H = F[2];
+                        for d in 1..count {
+                            H[d] = columns[d][2];
                         }
                         continue;
                     }
                     let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
                     with_twist!(m, C: W => {
                         let X = Placed { E: ThenZ { turn, first: C }, r };
-                        *own = X.transpose_force(F_i).to_array();
-                        for (H, F) in H.iter_mut().zip(columns) {
-                            *H = F[2];
-                            *F = X.transpose_force(force(F)).to_array();
+                        columns[0] = X.transpose_force(F_i).to_array();
+                        for d in 1..count {
+                            H[d] = columns[d][2];
+                            columns[d] = X.transpose_force(force(&columns[d])).to_array();
                         }
                         X.transpose_pseudo(Ic_i)
                     })
@@ -232,7 +232,11 @@ impl<W: Wide> Columns<W> {
                     inwards(posture.placed::<W>(i), columns, Ic_i)
                 }
             };
-            let sum = &mut Ic[m.carrier_sum()];
+            if m.place.alone() {
+                carried = up;
+                continue;
+            }
+            let sum = &mut Ic[m.level as usize - 1];
             if !m.place.last {
                 up += *sum;
             }

@@ -4,8 +4,8 @@ use crate::scalar::{MOST_LANES, Scalar, Wide};
 
 /// Numbers that are turned at once.
 const BLOCK: usize = 4;
-/// How far ahead of what is written its memory is asked for. Rows of a group are long and lie apart: nothing else foresees them.
-const AHEAD: usize = 8;
+/// How far ahead of what is written its memory is asked for, in bytes. Rows of a group are long and lie apart: nothing else foresees them.
+const AHEAD: usize = 64;
 
 /// Room for `n` values in lanes, and for whole registers of them at least.
 pub(super) fn room<W: Wide>(n: usize) -> Vec<W> {
@@ -37,60 +37,76 @@ pub(super) fn into_lanes<W: Wide>(x: &[W::Constant], n: usize, lanes: usize, out
 #[inline(always)]
 pub(super) fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W::Constant]) {
     if lanes < W::WIDTH || W::WIDTH < BLOCK {
-        return few_from_lanes(x, n, lanes, out);
-    }
-    let Some(last) = n.checked_sub(W::WIDTH) else {
-        return short_from_lanes(x, n, out);
-    };
-    let mut rows: [&mut [W::Constant]; MOST_LANES] = Default::default();
-    let mut rest = out;
-    for row in &mut rows[..W::WIDTH] {
-        (*row, rest) = rest.split_at_mut(n);
-    }
-    let x = &x[..n];
-    let mut first = 0;
-    while first < n {
-        // The last block may meet the one before it.
-        let at = first.min(last);
-        for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
-            for (row, x) in rows.iter_mut().zip(turned(&x[at..at + W::WIDTH], BLOCK * quarter)) {
-                x.to_slice(&mut row[at..]);
-                W::announce(row, at + AHEAD);
-            }
-        }
-        first += W::WIDTH;
+        few_from_lanes(x, n, lanes, out);
+    } else if n < W::WIDTH {
+        short_from_lanes(x, n, out);
+    } else {
+        blocks_from_lanes(&x[..n], n, out);
     }
 }
 
 /// The same from any of the values: number j of row l is lane l of `x[places[j]]`.
 #[inline(always)]
 pub(super) fn from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &mut [W::Constant]) {
-    let n = places.len();
-    let (Some(last), true) = (n.checked_sub(W::WIDTH), lanes == W::WIDTH && W::WIDTH >= BLOCK) else {
-        return few_from_places(x, places, lanes, out);
-    };
-    // A few rows from beginning to end: whole lines of memory, one after the other.
-    let mut rest = out;
-    for quarter in 0..W::WIDTH / BLOCK {
-        let (a, others) = rest.split_at_mut(n);
-        let (b, others) = others.split_at_mut(n);
-        let (c, others) = others.split_at_mut(n);
-        let (d, others) = others.split_at_mut(n);
-        rest = others;
-        let mut first = 0;
-        while first < n {
-            let at = first.min(last);
-            let mut values = [&x[0]; MOST_LANES];
-            for (value, &place) in values.iter_mut().zip(&places[at..at + W::WIDTH]) {
-                *value = &x[place as usize];
-            }
-            let [p, q, r, s] = W::turn(&values, BLOCK * quarter);
-            for (row, x) in [(&mut *a, p), (&mut *b, q), (&mut *c, r), (&mut *d, s)] {
-                x.to_slice(&mut row[at..]);
-                W::announce(row, at + AHEAD);
-            }
-            first += W::WIDTH;
+    if lanes < W::WIDTH || W::WIDTH < BLOCK || places.len() < W::WIDTH {
+        few_from_places(x, places, lanes, out);
+    } else {
+        blocks_from_lanes(Chosen(x, places), places.len(), out);
+    }
+}
+
+/// Where values to be turned come from.
+trait Values<W: Wide>: Copy {
+    /// As many as a register holds, from number `at` on.
+    fn block(&self, at: usize) -> [&W; MOST_LANES];
+}
+
+impl<W: Wide> Values<W> for &[W] {
+    #[inline(always)]
+    fn block(&self, at: usize) -> [&W; MOST_LANES] {
+        let mut values = [&self[0]; MOST_LANES];
+        for (value, x) in values.iter_mut().zip(&self[at..at + W::WIDTH]) {
+            *value = x;
         }
+        values
+    }
+}
+
+/// Values at places.
+#[derive(Clone, Copy)]
+struct Chosen<'a, W>(&'a [W], &'a [u32]);
+
+impl<W: Wide> Values<W> for Chosen<'_, W> {
+    #[inline(always)]
+    fn block(&self, at: usize) -> [&W; MOST_LANES] {
+        let mut values = [&self.0[0]; MOST_LANES];
+        for (value, &place) in values.iter_mut().zip(&self.1[at..at + W::WIDTH]) {
+            *value = &self.0[place as usize];
+        }
+        values
+    }
+}
+
+/// Rows of `n` numbers, each a register at a time.
+#[inline(always)]
+fn blocks_from_lanes<W: Wide>(x: impl Values<W>, n: usize, out: &mut [W::Constant]) {
+    let mut rows: [&mut [W::Constant]; MOST_LANES] = Default::default();
+    let mut rest = out;
+    for row in &mut rows[..W::WIDTH] {
+        (*row, rest) = rest.split_at_mut(n);
+    }
+    let mut first = 0;
+    while first < n {
+        // The last block may meet the one before it.
+        let at = first.min(n - W::WIDTH);
+        let values = x.block(at);
+        for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
+            for (row, x) in rows.iter_mut().zip(W::turn(&values, BLOCK * quarter)) {
+                x.to_slice(&mut row[at..]);
+                W::announce(row, at + AHEAD / size_of::<W::Constant>());
+            }
+        }
+        first += W::WIDTH;
     }
 }
 
@@ -100,23 +116,13 @@ fn short_from_lanes<W: Wide>(x: &[W], n: usize, out: &mut [W::Constant]) {
     if out.len() < (W::WIDTH - 1) * n + W::WIDTH {
         return few_from_lanes(x, n, W::WIDTH, out);
     }
-    let mut rest = out;
+    let (values, mut rest) = (x.block(0), out);
     for quarter in 0..W::WIDTH / BLOCK {
-        for row in turned(x, BLOCK * quarter) {
+        for row in W::turn(&values, BLOCK * quarter) {
             row.to_slice(rest);
             rest = &mut rest[n..];
         }
     }
-}
-
-/// Lanes from `first` on of as many values as a register holds.
-#[inline(always)]
-fn turned<W: Wide>(x: &[W], first: usize) -> [W; BLOCK] {
-    let mut values = [&x[0]; MOST_LANES];
-    for k in 0..W::WIDTH {
-        values[k] = &x[k];
-    }
-    W::turn(&values, first)
 }
 
 #[cold]

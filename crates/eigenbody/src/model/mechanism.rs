@@ -91,7 +91,7 @@ impl<T> Member<T> {
     /// [`own_sum`](Self::own_sum) of the body that carries it.
     #[inline(always)]
     pub fn carrier_sum(&self) -> usize {
-        if self.place.first && self.place.last { 0 } else { self.level as usize - 1 }
+        if self.place.alone() { 0 } else { self.level as usize - 1 }
     }
 
     /// Whether it moves freely in the world.
@@ -112,6 +112,14 @@ pub(crate) struct Place {
     pub first: bool,
     /// No other child of its parent comes later.
     pub last: bool,
+}
+
+impl Place {
+    /// Whether its parent carries nothing else.
+    #[inline(always)]
+    pub fn alone(self) -> bool {
+        self.first && self.last
+    }
 }
 
 /// How a body moves against the one that carries it.
