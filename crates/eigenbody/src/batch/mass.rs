@@ -118,10 +118,10 @@ impl Layout {
         Self { nv, order, pairs, diagonal, subtrees, columns, apart, no_armature, places, packed, entries }
     }
 
-    /// Row and column of every entry.
+    /// The degrees of freedom of every entry, the one further in last.
     pub fn pairs(&self) -> Vec<(usize, usize)> {
         let dof = |place: u32| self.order[place as usize] as usize;
-        self.pairs.iter().map(|&(row, column)| (dof(row), dof(column))).collect()
+        self.pairs.iter().map(|&(row, column)| (dof(row.max(column)), dof(row.min(column)))).collect()
     }
 
     /// Degrees of freedom in pre-order.

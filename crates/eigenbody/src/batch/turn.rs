@@ -57,18 +57,14 @@ pub(super) fn from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &
 
 /// Where values to be turned come from.
 trait Values<W: Wide>: Copy {
-    /// As many as a register holds, from number `at` on.
-    fn block(&self, at: usize) -> [&W; MOST_LANES];
+    /// As many as a register holds, from number `at` on; in `room`, if they do not stand side by side.
+    fn block<'a>(&'a self, at: usize, room: &'a mut [W; MOST_LANES]) -> &'a [W];
 }
 
 impl<W: Wide> Values<W> for &[W] {
     #[inline(always)]
-    fn block(&self, at: usize) -> [&W; MOST_LANES] {
-        let mut values = [&self[0]; MOST_LANES];
-        for (value, x) in values.iter_mut().zip(&self[at..at + W::WIDTH]) {
-            *value = x;
-        }
-        values
+    fn block<'a>(&'a self, at: usize, _: &'a mut [W; MOST_LANES]) -> &'a [W] {
+        &self[at..at + W::WIDTH]
     }
 }
 
@@ -78,12 +74,11 @@ struct Chosen<'a, W>(&'a [W], &'a [u32]);
 
 impl<W: Wide> Values<W> for Chosen<'_, W> {
     #[inline(always)]
-    fn block(&self, at: usize) -> [&W; MOST_LANES] {
-        let mut values = [&self.0[0]; MOST_LANES];
-        for (value, &place) in values.iter_mut().zip(&self.1[at..at + W::WIDTH]) {
-            *value = &self.0[place as usize];
+    fn block<'a>(&'a self, at: usize, room: &'a mut [W; MOST_LANES]) -> &'a [W] {
+        for (value, &place) in room.iter_mut().zip(&self.1[at..at + W::WIDTH]) {
+            *value = self.0[place as usize];
         }
-        values
+        &room[..W::WIDTH]
     }
 }
 
@@ -95,13 +90,13 @@ fn blocks_from_lanes<W: Wide>(x: impl Values<W>, n: usize, out: &mut [W::Constan
     for row in &mut rows[..W::WIDTH] {
         (*row, rest) = rest.split_at_mut(n);
     }
-    let mut first = 0;
+    let (mut room, mut first) = ([W::ZERO; MOST_LANES], 0);
     while first < n {
         // The last block may meet the one before it.
         let at = first.min(n - W::WIDTH);
-        let values = x.block(at);
+        let values = x.block(at, &mut room);
         for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
-            for (row, x) in rows.iter_mut().zip(W::turn(&values, BLOCK * quarter)) {
+            for (row, x) in rows.iter_mut().zip(turned(values, BLOCK * quarter)) {
                 x.to_slice(&mut row[at..]);
                 W::announce(row, at + AHEAD / size_of::<W::Constant>());
             }
@@ -116,13 +111,23 @@ fn short_from_lanes<W: Wide>(x: &[W], n: usize, out: &mut [W::Constant]) {
     if out.len() < (W::WIDTH - 1) * n + W::WIDTH {
         return few_from_lanes(x, n, W::WIDTH, out);
     }
-    let (values, mut rest) = (x.block(0), out);
+    let mut rest = out;
     for quarter in 0..W::WIDTH / BLOCK {
-        for row in W::turn(&values, BLOCK * quarter) {
+        for row in turned(x, BLOCK * quarter) {
             row.to_slice(rest);
             rest = &mut rest[n..];
         }
     }
+}
+
+/// Lanes from `first` on of as many values as a register holds.
+#[inline(always)]
+fn turned<W: Wide>(x: &[W], first: usize) -> [W; BLOCK] {
+    let mut values = [&x[0]; MOST_LANES];
+    for k in 0..W::WIDTH {
+        values[k] = &x[k];
+    }
+    W::turn(&values, first)
 }
 
 #[cold]

@@ -91,6 +91,12 @@ fn entries_make_up_the_matrix() {
         for unit in UNITS {
             let batch = Batch::new(&model).on(unit);
             let pairs = batch.entries();
+            let order: Vec<usize> = model.dofs().order().collect();
+            let place = |d: usize| order.iter().position(|&other| other == d);
+            assert!(
+                pairs.iter().all(|&(d, e)| place(e) <= place(d)),
+                "{name}: the one further in comes last"
+            );
             let (mut H, mut entries) = (vec![1.0; COUNT * nv * nv], vec![1.0; COUNT * pairs.len()]);
             batch.mass_matrices(&q, &mut H).unwrap();
             batch.mass_matrix_entries(&q, &mut entries).unwrap();
