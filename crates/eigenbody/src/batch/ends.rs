@@ -1,6 +1,7 @@
 //! λmin, λmax and κ′ of a group of configurations: from the matrices, side by side, as far as those know them.
 
-use super::mass::{Columns, Layout};
+use super::layout::Layout;
+use super::mass::Columns;
 use super::{Faults, GROUP, Kernel};
 use crate::conditioning::Values;
 use crate::error::Error;
@@ -27,9 +28,10 @@ pub(super) struct Spectra<'a> {
     pub out: &'a mut [Values],
 }
 
-/// H, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF, by place in pre-order.
+/// H and where its entries stand in a triangle, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF, by place in pre-order.
 pub(super) struct Room<W: Wide> {
     columns: Columns<W>,
+    triangle: Vec<u32>,
     one: Packed<W>,
     two: Packed<Two<W>>,
     units: Vec<W>,
@@ -55,6 +57,7 @@ impl Kernel<f64> for Spectra<'_> {
         let units = self.layout.order().map(|d| W::ONE / W::constant(self.weights[d]).sqrt());
         Room {
             columns: Columns::new(model, self.layout),
+            triangle: self.layout.triangle(),
             one: Packed::new(one),
             two: Packed::new(two),
             units: units.collect(),
@@ -68,7 +71,7 @@ impl Kernel<f64> for Spectra<'_> {
         model: &Model<f64>,
         q: &[W],
         group: Range<usize>,
-        Room { columns, one, two, units, own }: &mut Room<W>,
+        Room { columns, triangle, one, two, units, own }: &mut Room<W>,
         _: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
@@ -85,7 +88,7 @@ impl Kernel<f64> for Spectra<'_> {
         // λmin and λmax in the metric and in units of H's own diagonal.
         let nothing = [W::ZERO; 2];
         let (ends, own_ends) = if self.together() {
-            let mut entries = two.A.iter_mut().zip(&layout.packed);
+            let mut entries = two.A.iter_mut().zip(&*triangle);
             for (i, (&unit_i, &own_i)) in units.iter().zip(&*own).enumerate() {
                 let row = entries.by_ref().take(i + 1);
                 for ((a, &place), (&unit, &own)) in row.zip(units.iter().zip(&*own)) {
@@ -96,11 +99,11 @@ impl Kernel<f64> for Spectra<'_> {
             let [min, max] = two.ends();
             ([min.0, max.0], [min.1, max.1])
         } else if unit_diagonal {
-            let found = scaled_ends(one, H, layout, own);
+            let found = scaled_ends(one, H, triangle, own);
             (found, found)
         } else {
-            let found = scaled_ends(one, H, layout, units);
-            (found, if weighted { scaled_ends(one, H, layout, own) } else { nothing })
+            let found = scaled_ends(one, H, triangle, units);
+            (found, if weighted { scaled_ends(one, H, triangle, own) } else { nothing })
         };
         let mut numbers = [[0.0; GROUP]; 4];
         for (numbers, x) in numbers.iter_mut().zip([ends[0], ends[1], own_ends[0], own_ends[1]]) {
@@ -140,8 +143,8 @@ impl Spectra<'_> {
 
 /// Both ends of H with every degree of freedom in its unit.
 #[inline(always)]
-fn scaled_ends<W: Wide>(room: &mut Packed<W>, H: &[W], layout: &Layout, units: &[W]) -> [W; 2] {
-    let mut entries = room.A.iter_mut().zip(&layout.packed);
+fn scaled_ends<W: Wide>(room: &mut Packed<W>, H: &[W], triangle: &[u32], units: &[W]) -> [W; 2] {
+    let mut entries = room.A.iter_mut().zip(triangle);
     for (i, &unit_i) in units.iter().enumerate() {
         for ((a, &place), &unit) in entries.by_ref().take(i + 1).zip(units) {
             *a = H[place as usize] * (unit_i * unit);

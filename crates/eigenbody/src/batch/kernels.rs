@@ -1,6 +1,7 @@
 //! H, τ and v̇ of a group of configurations.
 
-use super::mass::{Columns, Layout};
+use super::layout::Layout;
+use super::mass::Columns;
 use super::turn::{self, from_lanes, from_places, into_lanes};
 use super::{AbaWorkspace, Faults, GROUP, Kernel, RneaWorkspace};
 use crate::dynamics::{Aba, Rnea};

@@ -8,133 +8,11 @@
 //! by rows of the upper triangle that hold the subtree of their degree of freedom and nothing else; and those of a free root, whose S is
 //! 1, are the columns F that have come to it. Whole rows of the caller's matrices come of it at last, or it is used as it is.
 
+use super::layout::{Layout, SIX};
 use crate::dynamics::{Posture, position, slide};
 use crate::model::{Member, Model, MotionKind, with_turn, with_twist};
-use crate::scalar::{Real, Wide};
+use crate::scalar::Wide;
 use crate::spatial::{Force, Placed, PseudoInertia, Rotation, ThenZ, Vec3};
-
-/// Degrees of freedom of a free root, and numbers of a column.
-const SIX: usize = 6;
-
-/// Where the entries of H stand: made once for a batch.
-#[derive(Debug)]
-pub(super) struct Layout {
-    pub nv: usize,
-    /// By place in pre-order: the degree of freedom.
-    order: Vec<u32>,
-    /// Row and column of every entry, by places in pre-order.
-    pairs: Vec<(u32, u32)>,
-    /// By place in pre-order: the entry on the diagonal.
-    diagonal: Vec<u32>,
-    /// By body.
-    subtrees: Vec<Subtree>,
-    /// Columns in all, and how many of them stand before those that come to a free root.
-    columns: usize,
-    apart: usize,
-    /// Whether no degree of freedom has any.
-    no_armature: bool,
-    /// nv × nv: which entry stands there. The last one is zero.
-    pub places: Vec<u32>,
-    /// The lower triangle by rows, degrees of freedom in pre-order: which entry stands there.
-    pub packed: Vec<u32>,
-    /// How many entries there are, the zero not counted.
-    pub entries: usize,
-}
-
-/// What stands where of a body and of all that it carries.
-#[derive(Debug, Clone, Copy)]
-struct Subtree {
-    /// The first of its columns, and how many there are; a free root itself has none.
-    column: u32,
-    count: u32,
-    /// Where its own rows begin.
-    row: u32,
-}
-
-impl Layout {
-    pub fn new<T: Real>(model: &Model<T>) -> Self {
-        let (nv, members) = (model.nv(), &model.mechanism.members);
-        // By body: the first of its degrees of freedom in pre-order, and one more than the last that it carries.
-        let mut first = vec![0; members.len()];
-        for i in 1..members.len() {
-            first[i] = first[i - 1] + members[i - 1].joint.nv();
-        }
-        let mut end: Vec<usize> = first.iter().zip(members).map(|(&first, m)| first + m.joint.nv()).collect();
-        for (i, m) in members.iter().enumerate().rev() {
-            if let Some(p) = (m.parent as usize).checked_sub(1) {
-                end[p] = end[p].max(end[i]);
-            }
-        }
-        // Columns that come to a free root stand after all others, and are entries.
-        let roots = || members.iter().enumerate().filter(|(_, m)| m.parent == 0);
-        let apart: usize = roots().filter(|(_, m)| !m.is_free_root()).map(|(i, _)| end[i] - first[i]).sum();
-        let mut next = [0, apart];
-        let mut column = vec![0; nv];
-        let mut pairs: Vec<(u32, u32)> = Vec::new();
-        for (i, m) in roots() {
-            let free = m.is_free_root();
-            for place in first[i] + if free { SIX } else { 0 }..end[i] {
-                column[place] = next[usize::from(free)];
-                next[usize::from(free)] += 1;
-                if free {
-                    pairs.extend((first[i]..).take(SIX).map(|row| (row as u32, place as u32)));
-                }
-            }
-        }
-        let columns = next[1];
-        let mut diagonal = Vec::with_capacity(nv);
-        let mut subtrees = Vec::with_capacity(members.len());
-        for (i, m) in members.iter().enumerate() {
-            let row = pairs.len() as u32 - SIX as u32 * (columns - apart) as u32;
-            let own = first[i]..first[i] + m.joint.nv();
-            let carried = if m.is_free_root() { own.end } else { own.start };
-            for d in own.clone() {
-                if m.is_free_root() {
-                    pairs.extend((own.start..=d).map(|column| (d as u32, column as u32)));
-                    diagonal.push(pairs.len() as u32 - 1);
-                } else {
-                    diagonal.push(pairs.len() as u32);
-                    pairs.extend((d..end[i]).map(|column| (d as u32, column as u32)));
-                }
-            }
-            subtrees.push(Subtree {
-                column: column.get(carried).copied().unwrap_or(0) as u32,
-                count: (end[i] - carried) as u32,
-                row,
-            });
-        }
-        let order: Vec<u32> = model.dofs().order().map(|d| d as u32).collect();
-        let entries = pairs.len();
-        let mut places = vec![entries as u32; nv * nv];
-        let mut packed = vec![entries as u32; nv * (nv + 1) / 2];
-        for (entry, &(row, column)) in (0..).zip(&pairs) {
-            let (least, most) = (row.min(column) as usize, row.max(column) as usize);
-            packed[most * (most + 1) / 2 + least] = entry;
-            let (d, e) = (order[least] as usize, order[most] as usize);
-            places[d * nv + e] = entry;
-            places[e * nv + d] = entry;
-        }
-        let no_armature = model.armature.iter().all(|&a| a == T::ZERO);
-        Self { nv, order, pairs, diagonal, subtrees, columns, apart, no_armature, places, packed, entries }
-    }
-
-    /// The degrees of freedom of every entry, the one further in last.
-    pub fn pairs(&self) -> Vec<(usize, usize)> {
-        let dof = |place: u32| self.order[place as usize] as usize;
-        self.pairs.iter().map(|&(row, column)| (dof(row.max(column)), dof(row.min(column)))).collect()
-    }
-
-    /// Degrees of freedom in pre-order.
-    pub fn order(&self) -> impl Iterator<Item = usize> + '_ {
-        self.order.iter().map(|&d| d as usize)
-    }
-
-    /// The entry on the diagonal, by place in pre-order.
-    #[inline(always)]
-    pub fn diagonal(&self, d: usize) -> usize {
-        self.diagonal[d] as usize
-    }
-}
 
 /// Room for one group.
 pub(super) struct Columns<W: Wide> {
@@ -242,7 +120,7 @@ impl<W: Wide> Columns<W> {
             }
             *sum = up;
         }
-        if !layout.no_armature {
+        if layout.armed {
             let H = &mut numbers[SIX * layout.apart..];
             for (place, d) in layout.order().enumerate() {
                 H[layout.diagonal(place)] += W::constant(model.armature[d]);

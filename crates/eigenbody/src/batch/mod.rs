@@ -10,6 +10,7 @@
 
 mod ends;
 mod kernels;
+mod layout;
 mod mass;
 mod turn;
 
@@ -21,7 +22,7 @@ use crate::scalar::{Batched, MOST_LANES, Scalar, Unit, Wide, WideAlgorithm};
 use crate::spectrum::Metric;
 use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
-use mass::Layout;
+use layout::Layout;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -161,7 +162,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// Errors: [`BatchError`]; `H` then holds no result.
     pub fn mass_matrices(&self, q: &[T], H: &mut [T]) -> Result<(), BatchError> {
         let layout = &Layout::new(self.model);
-        self.masses("H", q, layout, Some(&layout.places), H)
+        self.masses("H", q, layout, Some(&layout.square()), H)
     }
 
     /// The entries (d, e) of H that [`mass_matrix_entries`](Self::mass_matrix_entries) gives, in its order: e on the path from the root to
