@@ -4,7 +4,8 @@
 //!
 //! 1. A value of a wide type exists only inside the entry functions, which run only after the processor was asked for their
 //!    features. The types are private to this module; callers see [`Lane`] and [`Wide`].
-//! 2. Every intrinsic used works on registers: none touches memory, except loads and stores of whole arrays by value.
+//! 2. Every intrinsic used works on registers: none touches memory, except loads and stores of whole arrays by value, and
+//!    hints of what will be written, which change no memory whatever the address.
 //!
 //! Dispatch happens once, around a whole algorithm: the algorithm is generic over its scalar and inlined whole into the entry
 //! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers.
