@@ -28,7 +28,8 @@ pub(super) struct Spectra<'a> {
     pub out: &'a mut [Values],
 }
 
-/// H and where its entries stand in a triangle, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF, by place in pre-order.
+/// H and where its entries stand in a triangle, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF,
+/// by place in pre-order.
 pub(super) struct Room<W: Wide> {
     columns: Columns<W>,
     triangle: Vec<u32>,
