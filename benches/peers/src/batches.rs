@@ -12,12 +12,18 @@ use rayon::ThreadPool;
 
 use crate::Outcome;
 use crate::contest::Contestant;
+use crate::quantity::Quantity;
 use crate::robot::{Robot, Sample};
 
 /// Degrees of freedom in a batch, about: states, results and H of one core's share stay in its own memory.
 pub const FEW: usize = 8192;
-/// The same where threads share: a millisecond and more, beside which it is nothing to wake one.
-pub const MANY: usize = 32 * FEW;
+/// The same where threads share: a call takes so many milliseconds that it is nothing to wake one.
+pub const MANY: usize = 128 * FEW;
+/// How many times fewer they are then for matrices, which take longer and more memory.
+const FEWER: usize = 4;
+/// How much longer than others' the turns of threads that share are: a system takes some milliseconds to give a second core to a second
+/// thread.
+const PATIENCE: f64 = 20.0;
 /// Relative error of κ asked for.
 const ACCURACY: f64 = 1e-8;
 
@@ -28,9 +34,11 @@ pub struct Batches<T> {
     exact: Model<f64>,
     unit: Unit,
     threads: Arc<ThreadPool>,
-    /// How much longer than others' its turns are: a system takes some milliseconds to give a second core to a second thread.
+    /// How much longer than others' its turns are.
     patience: f64,
+    /// Configurations of a call, and of one for matrices.
     count: usize,
+    matrices: usize,
     q: Vec<T>,
     v: Vec<T>,
     x: Vec<T>,
@@ -51,33 +59,43 @@ impl<T: Lanes> Batches<T> {
         };
         let numbers = |all: Vec<f64>| all.into_iter().map(T::from_f64).collect::<Vec<T>>();
         let exact_q = all(|sample| &sample.q);
+        let matrices = if size > FEW { count / FEWER } else { count };
         Ok(Self {
             model: exact.cast(),
             unit,
             threads: Arc::new(rayon::ThreadPoolBuilder::new().num_threads(threads).build()?),
-            patience: if size == MANY { 20.0 } else { 1.0 },
+            patience: if size > FEW { PATIENCE } else { 1.0 },
             count,
+            matrices,
             q: numbers(exact_q.clone()),
             v: numbers(all(|sample| &sample.v)),
             x: numbers(all(|sample| &sample.x)),
-            exact_q,
+            exact_q: exact_q[..matrices * exact.nq()].to_vec(),
             out: vec![T::ZERO; count * nv],
-            H: vec![T::ZERO; count * nv * nv],
-            values: vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; count],
+            H: vec![T::ZERO; matrices * nv * nv],
+            values: vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; matrices],
             exact,
         })
     }
 
-    fn all(&mut self, quantity: &str) -> Outcome {
+    /// Configurations of a call.
+    fn count(&self, quantity: Quantity) -> usize {
+        match quantity {
+            Quantity::Rnea | Quantity::Aba => self.count,
+            _ => self.matrices,
+        }
+    }
+
+    fn all(&mut self, quantity: Quantity) -> Outcome {
+        let count = self.count(quantity);
         let Self { model, exact, unit, q, v, x, exact_q, out, H, values, .. } = self;
         let batch = Batch::new(model).on(*unit);
+        let q = &q[..count * exact.nq()];
         match quantity {
-            "rnea" => batch.inverse_dynamics(q, v, x, out)?,
-            "aba" => batch.forward_dynamics(q, v, x, out)?,
-            "crba" => batch.mass_matrices(q, H)?,
-            "entries" => {
-                batch.mass_matrix_entries(q, &mut H[..exact_q.len() / exact.nq() * batch.entries().len()])?
-            }
+            Quantity::Rnea => batch.inverse_dynamics(q, v, x, out)?,
+            Quantity::Aba => batch.forward_dynamics(q, v, x, out)?,
+            Quantity::Crba => batch.mass_matrices(q, H)?,
+            Quantity::Entries => batch.mass_matrix_entries(q, &mut H[..count * batch.entries().len()])?,
             _ => {
                 let batch = Batch::new(exact).on(*unit);
                 batch.conditioning(exact_q, &Metric::Euclidean, ACCURACY, values)?;
@@ -88,19 +106,21 @@ impl<T: Lanes> Batches<T> {
 }
 
 impl<T: Lanes> Contestant for Batches<T> {
-    fn quantities(&self) -> &'static [&'static str] {
+    fn quantities(&self) -> &'static [Quantity] {
         match T::EPSILON == f64::EPSILON {
-            true => &["rnea", "aba", "crba", "entries", "conditioning"],
-            false => &["rnea", "aba", "crba", "entries"],
+            true => {
+                &[Quantity::Rnea, Quantity::Aba, Quantity::Crba, Quantity::Entries, Quantity::Conditioning]
+            }
+            false => &[Quantity::Rnea, Quantity::Aba, Quantity::Crba, Quantity::Entries],
         }
     }
 
-    fn compute(&mut self, quantity: &str, _: usize, _: &Sample) -> Outcome {
+    fn compute(&mut self, quantity: Quantity, _: usize, _: &Sample) -> Outcome {
         self.all(quantity)
     }
 
     /// The whole batch, on its own threads from beginning to end.
-    fn turn(&mut self, quantity: &str, _: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
+    fn turn(&mut self, quantity: Quantity, _: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
         let (threads, patience) = (self.threads.clone(), self.patience);
         let each = threads.install(|| -> Result<f64, String> {
             let mut all = || self.all(quantity).map_err(|error| error.to_string());
@@ -117,7 +137,7 @@ impl<T: Lanes> Contestant for Batches<T> {
             }
             Ok(start.elapsed().as_secs_f64() / f64::from(calls))
         })?;
-        Ok(each / self.count as f64)
+        Ok(each / self.count(quantity) as f64)
     }
 
     fn tolerance(&self) -> f64 {
@@ -125,12 +145,12 @@ impl<T: Lanes> Contestant for Batches<T> {
     }
 
     /// Of the first configuration.
-    fn value(&mut self, quantity: &str) -> Vec<f64> {
+    fn value(&mut self, quantity: Quantity) -> Vec<f64> {
         let nv = self.exact.nv();
         let first = |numbers: &[T], n: usize| numbers[..n].iter().map(|x| x.to_f64()).collect();
         match quantity {
-            "crba" => first(&self.H, nv * nv),
-            "entries" => {
+            Quantity::Crba => first(&self.H, nv * nv),
+            Quantity::Entries => {
                 // The matrix that the entries belong to.
                 let entries: Vec<f64> = first(&self.H, Batch::new(&self.model).entries().len());
                 let mut H = vec![0.0; nv * nv];
@@ -139,8 +159,46 @@ impl<T: Lanes> Contestant for Batches<T> {
                 }
                 H
             }
-            "conditioning" => vec![self.values[0].kappa(), self.values[0].kappa_weighted],
+            Quantity::Conditioning => vec![self.values[0].kappa(), self.values[0].kappa_weighted],
             _ => first(&self.out, nv),
         }
+    }
+}
+
+/// Two batches on a thread each that know nothing of one another: what a machine gives to two threads at the time.
+pub struct Apart([Batches<f64>; 2]);
+
+impl Apart {
+    pub fn new(robot: &Robot, size: usize) -> Result<Self, Box<dyn Error>> {
+        let half = || Batches::new(robot, Unit::Avx512, size / 2, 1);
+        Ok(Self([half()?, half()?]))
+    }
+}
+
+impl Contestant for Apart {
+    fn quantities(&self) -> &'static [Quantity] {
+        self.0[0].quantities()
+    }
+
+    fn compute(&mut self, quantity: Quantity, sample: usize, state: &Sample) -> Outcome {
+        self.0[0].compute(quantity, sample, state)
+    }
+
+    /// As many seconds as both need for one configuration together.
+    fn turn(&mut self, quantity: Quantity, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
+        let [one, other] = &mut self.0;
+        let run = |batch: &mut Batches<f64>| {
+            batch.turn(quantity, samples, seconds).map_err(|error| error.to_string())
+        };
+        let (one, other) = std::thread::scope(|scope| {
+            let other = scope.spawn(|| run(other));
+            (run(one), other.join())
+        });
+        let other = other.map_err(|_| "a thread ended")?;
+        Ok(1.0 / (1.0 / one? + 1.0 / other?))
+    }
+
+    fn value(&mut self, _: Quantity) -> Vec<f64> {
+        Vec::new()
     }
 }

@@ -8,10 +8,11 @@ use std::time::Instant;
 use eigenbody::scalar::Unit;
 
 use crate::Outcome;
-use crate::batches::{Batches, FEW, MANY};
+use crate::batches::{Apart, Batches, FEW, MANY};
 use crate::dynibo::Dynibo;
 use crate::eigen::{Faer, Nalgebra};
 use crate::ours::Ours;
+use crate::quantity::Quantity;
 use crate::robot::{self, Robot, Sample};
 
 /// Turns of each contestant.
@@ -22,17 +23,17 @@ const LONG_ENOUGH: f64 = 2e-3;
 /// Computes quantities of one robot.
 pub trait Contestant {
     /// What it can compute.
-    fn quantities(&self) -> &'static [&'static str];
+    fn quantities(&self) -> &'static [Quantity];
     /// Computes one of them.
-    fn compute(&mut self, quantity: &str, sample: usize, state: &Sample) -> Outcome;
+    fn compute(&mut self, quantity: Quantity, sample: usize, state: &Sample) -> Outcome;
     /// What came out, in eigenbody's order and frames; nothing where the two do not compare.
-    fn value(&mut self, quantity: &str) -> Vec<f64>;
+    fn value(&mut self, quantity: Quantity) -> Vec<f64>;
     /// Largest difference allowed from eigenbody's numbers, against the largest of them.
     fn tolerance(&self) -> f64 {
         1e-9
     }
     /// All samples, again until it took so many seconds; seconds for each.
-    fn turn(&mut self, quantity: &str, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
+    fn turn(&mut self, quantity: Quantity, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
         let mut all = || -> Outcome {
             for (k, state) in samples.iter().enumerate() {
                 self.compute(quantity, k, state)?;
@@ -102,17 +103,16 @@ impl Drop for Program {
 struct Heat<'a> {
     robot: &'a Robot,
     contestant: String,
-    quantity: String,
+    quantity: Quantity,
+    /// Of a program that computes it in several ways.
+    convention: &'static str,
     entrant: usize,
-    seconds: Vec<f64>,
 }
 
-/// Every quantity that some contestant may know, with the conventions of those that have several.
-const QUANTITIES: [&str; 8] =
-    ["rnea", "aba", "upper", "crba", "bias", "extremes", "conditioning", "eigenvalues"];
+/// Conventions of programs that have several.
 const CONVENTIONS: [&str; 4] = ["", "-local", "-world", "-only"];
 
-/// Times everything, ROUNDS times in turn, and prints medians: `ROBOT QUANTITY CONTESTANT[-CONVENTION]`, seconds a call.
+/// Times everything, ROUNDS times in turn, and prints all of it: `ROBOT QUANTITY CONTESTANT[-CONVENTION]`, seconds a call.
 pub fn race(directory: &str, programs: &[&str]) -> Outcome {
     let robots = robot::read(directory)?;
     let mut started = Vec::new();
@@ -121,7 +121,7 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
     }
     let (mut entrants, mut heats) = (Vec::new(), Vec::new());
     for robot in &robots {
-        let here: [(&str, Box<dyn Contestant>); 10] = [
+        let here: [(&str, Box<dyn Contestant>); 11] = [
             ("eigenbody", Box::new(Ours::new(robot)?)),
             ("dynibo", Box::new(Dynibo::new(robot)?)),
             ("nalgebra", Box::new(Nalgebra::new(robot)?)),
@@ -130,65 +130,59 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
             ("batch-avx2", Box::new(Batches::<f64>::new(robot, Unit::Avx2, FEW, 1)?)),
             ("batch-many", Box::new(Batches::<f64>::new(robot, Unit::Avx512, MANY, 1)?)),
             ("batch-many-2", Box::new(Batches::<f64>::new(robot, Unit::Avx512, MANY, 2)?)),
+            ("batch-many-apart", Box::new(Apart::new(robot, MANY)?)),
             ("batch-f32", Box::new(Batches::<f32>::new(robot, Unit::Avx512, FEW, 1)?)),
             ("batch-f32-avx2", Box::new(Batches::<f32>::new(robot, Unit::Avx2, FEW, 1)?)),
         ];
         for (name, mut contestant) in here {
             let entrant = entrants.len();
-            for quantity in contestant.quantities() {
+            for &quantity in contestant.quantities() {
                 contestant.compute(quantity, 0, &robot.samples[0])?;
-                heats.push(Heat::new(robot, name, quantity, entrant));
+                heats.push(Heat { robot, contestant: name.to_owned(), quantity, convention: "", entrant });
             }
             entrants.push(Entrant::Here(contestant));
         }
         for (index, program) in started.iter_mut().enumerate() {
             let entrant = entrants.len();
             entrants.push(Entrant::There(index));
-            for quantity in QUANTITIES.iter().flat_map(|name| CONVENTIONS.map(|how| format!("{name}{how}"))) {
-                if program.ask(&format!("value {} {quantity}", robot.name))?.is_some() {
-                    heats.push(Heat::new(robot, &program.name, &quantity, entrant));
+            for (quantity, convention) in
+                Quantity::ALL.iter().flat_map(|&what| CONVENTIONS.map(|how| (what, how)))
+            {
+                let heat = Heat { robot, contestant: program.name.clone(), quantity, convention, entrant };
+                if program.ask(&heat.question("value"))?.is_some() {
+                    heats.push(heat);
                 }
             }
         }
     }
-    compare(&mut heats, &mut entrants, &mut started)?;
+    compare(&heats, &mut entrants, &mut started)?;
     for round in 1..=ROUNDS {
         eprintln!("race: round {round} of {ROUNDS}");
-        for heat in &mut heats {
+        for heat in &heats {
             let seconds = heat.time(&mut entrants[heat.entrant], &mut started)?;
-            heat.seconds.push(seconds);
+            println!("{}\t{seconds:e}", heat.name());
         }
-    }
-    for heat in &mut heats {
-        heat.seconds.sort_by(f64::total_cmp);
-        println!("{}\t{:e}", heat.name(), heat.seconds[ROUNDS / 2]);
     }
     Ok(())
 }
 
-impl<'a> Heat<'a> {
-    fn new(robot: &'a Robot, contestant: &str, quantity: &str, entrant: usize) -> Self {
-        let (contestant, quantity) = (contestant.to_owned(), quantity.to_owned());
-        Self { robot, contestant, quantity, entrant, seconds: Vec::new() }
-    }
-
-    /// The quantity without the convention.
-    fn what(&self) -> &str {
-        self.quantity.split('-').next().unwrap_or_default()
-    }
-
+impl Heat<'_> {
     fn name(&self) -> String {
-        let convention = &self.quantity[self.what().len()..];
-        format!("{} {} {}{convention}", self.robot.name, self.what(), self.contestant)
+        format!("{} {} {}{}", self.robot.name, self.quantity.name(), self.contestant, self.convention)
+    }
+
+    /// To a program: `time` or `value`.
+    fn question(&self, of: &str) -> String {
+        format!("{of} {} {}{}", self.robot.name, self.quantity.name(), self.convention)
     }
 
     fn time(&self, entrant: &mut Entrant<'_>, programs: &mut [Program]) -> Result<f64, Box<dyn Error>> {
         match entrant {
             Entrant::There(index) => {
-                let answer = programs[*index].ask(&format!("time {} {}", self.robot.name, self.quantity))?;
+                let answer = programs[*index].ask(&self.question("time"))?;
                 answer.and_then(|numbers| numbers.first().copied()).ok_or_else(|| "no time".into())
             }
-            Entrant::Here(contestant) => contestant.turn(&self.quantity, &self.robot.samples, LONG_ENOUGH),
+            Entrant::Here(contestant) => contestant.turn(self.quantity, &self.robot.samples, LONG_ENOUGH),
         }
     }
 
@@ -196,28 +190,27 @@ impl<'a> Heat<'a> {
     fn value(&self, entrant: &mut Entrant<'_>, programs: &mut [Program]) -> Result<Vec<f64>, Box<dyn Error>> {
         match entrant {
             Entrant::There(index) => {
-                let answer = programs[*index].ask(&format!("value {} {}", self.robot.name, self.quantity))?;
+                let answer = programs[*index].ask(&self.question("value"))?;
                 Ok(answer.unwrap_or_default())
             }
             Entrant::Here(contestant) => {
-                contestant.compute(&self.quantity, 0, &self.robot.samples[0])?;
-                Ok(contestant.value(&self.quantity))
+                contestant.compute(self.quantity, 0, &self.robot.samples[0])?;
+                Ok(contestant.value(self.quantity))
             }
         }
     }
 }
 
 /// That all compute the same numbers.
-fn compare(heats: &mut [Heat<'_>], entrants: &mut [Entrant<'_>], programs: &mut [Program]) -> Outcome {
+fn compare(heats: &[Heat<'_>], entrants: &mut [Entrant<'_>], programs: &mut [Program]) -> Outcome {
     let mut values = Vec::new();
-    for heat in &*heats {
+    for heat in heats {
         values.push(heat.value(&mut entrants[heat.entrant], programs)?);
     }
     for (heat, value) in heats.iter().zip(&values) {
         let same = |other: &Heat<'_>| {
             other.contestant == "eigenbody"
-                && (other.what(), &other.robot.name)
-                    == (heat.what().replace("entries", "crba").as_str(), &heat.robot.name)
+                && (other.quantity, &other.robot.name) == (heat.quantity.one_by_one(), &heat.robot.name)
         };
         let Some(ours) = heats.iter().position(same).map(|index| &values[index]) else { continue };
         if value.is_empty() || ours.is_empty() {

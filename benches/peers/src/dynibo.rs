@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, Isometry3, Quaternion, Translation3, UnitQuaternion, Vec
 
 use crate::Outcome;
 use crate::contest::Contestant;
+use crate::quantity::Quantity;
 use crate::robot::{Robot, Sample};
 
 /// One robot. Its gravity is 9.80665 m/s², so that forces do not compare with ours.
@@ -77,17 +78,19 @@ fn frame(q: &[f64]) -> Frame {
 }
 
 impl Contestant for Dynibo {
-    fn quantities(&self) -> &'static [&'static str] {
-        &["crba", "rnea", "aba"]
+    fn quantities(&self) -> &'static [Quantity] {
+        &[Quantity::Crba, Quantity::Rnea, Quantity::Aba]
     }
 
-    fn compute(&mut self, quantity: &str, sample: usize, _: &Sample) -> Outcome {
+    fn compute(&mut self, quantity: Quantity, sample: usize, _: &Sample) -> Outcome {
         let State { base, q, v, x, forces } = &self.states[sample];
         match (&mut self.robot, quantity) {
-            (Kind::Fixed(robot), "crba") => robot.mass_matrix(q, &mut self.H)?,
-            (Kind::Floating(robot), "crba") => robot.mass_matrix(base, q, &mut self.H)?,
-            (Kind::Fixed(robot), "rnea") => robot.inverse_dynamics(q, v, x, &[], &mut self.out)?,
-            (Kind::Floating(robot), "rnea") => robot.inverse_dynamics(base, q, v, x, &[], &mut self.out)?,
+            (Kind::Fixed(robot), Quantity::Crba) => robot.mass_matrix(q, &mut self.H)?,
+            (Kind::Floating(robot), Quantity::Crba) => robot.mass_matrix(base, q, &mut self.H)?,
+            (Kind::Fixed(robot), Quantity::Rnea) => robot.inverse_dynamics(q, v, x, &[], &mut self.out)?,
+            (Kind::Floating(robot), Quantity::Rnea) => {
+                robot.inverse_dynamics(base, q, v, x, &[], &mut self.out)?
+            }
             (Kind::Fixed(robot), _) => robot.forward_dynamics(q, v, forces, &[], &mut self.out)?,
             (Kind::Floating(robot), _) => robot.forward_dynamics(base, q, v, forces, &[], &mut self.out)?,
         }
@@ -95,8 +98,8 @@ impl Contestant for Dynibo {
     }
 
     /// H with the base's velocity turned into the body's frame.
-    fn value(&mut self, quantity: &str) -> Vec<f64> {
-        if quantity != "crba" {
+    fn value(&mut self, quantity: Quantity) -> Vec<f64> {
+        if quantity != Quantity::Crba {
             return Vec::new();
         }
         let n = self.out.len();

@@ -8,6 +8,7 @@ use nalgebra::DMatrix;
 use crate::Outcome;
 use crate::contest::Contestant;
 use crate::dense::{dense, faer_eigenvalues};
+use crate::quantity::Quantity;
 use crate::robot::{Robot, Sample};
 
 /// H of every sample.
@@ -29,17 +30,17 @@ impl Nalgebra {
 }
 
 impl Contestant for Nalgebra {
-    fn quantities(&self) -> &'static [&'static str] {
-        &["eigenvalues"]
+    fn quantities(&self) -> &'static [Quantity] {
+        &[Quantity::Eigenvalues]
     }
 
-    fn compute(&mut self, _: &str, sample: usize, _: &Sample) -> Outcome {
+    fn compute(&mut self, _: Quantity, sample: usize, _: &Sample) -> Outcome {
         let values = self.matrices[sample].symmetric_eigenvalues();
         self.ends = [values.min(), values.max()];
         Ok(())
     }
 
-    fn value(&mut self, _: &str) -> Vec<f64> {
+    fn value(&mut self, _: Quantity) -> Vec<f64> {
         self.ends.to_vec()
     }
 }
@@ -57,17 +58,17 @@ impl Faer {
 }
 
 impl Contestant for Faer {
-    fn quantities(&self) -> &'static [&'static str] {
-        &["eigenvalues"]
+    fn quantities(&self) -> &'static [Quantity] {
+        &[Quantity::Eigenvalues]
     }
 
-    fn compute(&mut self, _: &str, sample: usize, _: &Sample) -> Outcome {
+    fn compute(&mut self, _: Quantity, sample: usize, _: &Sample) -> Outcome {
         let values = faer_eigenvalues(&self.matrices[sample], faer::Par::Seq);
         self.ends = [values[0], values[values.len() - 1]];
         Ok(())
     }
 
-    fn value(&mut self, _: &str) -> Vec<f64> {
+    fn value(&mut self, _: Quantity) -> Vec<f64> {
         self.ends.to_vec()
     }
 }

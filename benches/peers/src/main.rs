@@ -19,6 +19,7 @@ mod dense;
 mod dynibo;
 mod eigen;
 mod ours;
+mod quantity;
 mod robot;
 mod swing;
 

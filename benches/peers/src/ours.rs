@@ -14,6 +14,7 @@ use eigenbody::{Matrix, Model};
 use crate::Outcome;
 use crate::contest::Contestant;
 use crate::eigen::matrices;
+use crate::quantity::Quantity;
 use crate::robot::{Robot, Sample};
 
 /// All quantities of one robot.
@@ -55,20 +56,29 @@ impl<'a> Ours<'a> {
 }
 
 impl Contestant for Ours<'_> {
-    fn quantities(&self) -> &'static [&'static str] {
-        &["upper", "crba", "rnea", "aba", "bias", "extremes", "conditioning", "eigenvalues"]
+    fn quantities(&self) -> &'static [Quantity] {
+        &[
+            Quantity::Upper,
+            Quantity::Crba,
+            Quantity::Rnea,
+            Quantity::Aba,
+            Quantity::Bias,
+            Quantity::Extremes,
+            Quantity::Conditioning,
+            Quantity::Eigenvalues,
+        ]
     }
 
-    fn compute(&mut self, quantity: &str, sample: usize, Sample { q, v, x }: &Sample) -> Outcome {
+    fn compute(&mut self, quantity: Quantity, sample: usize, Sample { q, v, x }: &Sample) -> Outcome {
         let Self { model, crba, rnea, aba, H, given, out, ones, room, at, ends } = self;
         match quantity {
-            "upper" => mass_matrix_upper_into(model, q, crba, H)?,
-            "crba" => mass_matrix_into(model, q, crba, H)?,
-            "rnea" => inverse_dynamics_into(model, q, v, x, rnea, out)?,
-            "aba" => forward_dynamics_into(model, q, v, x, aba, out)?,
-            "bias" => bias_force_into(model, q, v, rnea, out)?,
-            "extremes" => *ends = extreme_eigenvalues_at(model, q, at)?,
-            "conditioning" => {
+            Quantity::Upper => mass_matrix_upper_into(model, q, crba, H)?,
+            Quantity::Crba => mass_matrix_into(model, q, crba, H)?,
+            Quantity::Rnea => inverse_dynamics_into(model, q, v, x, rnea, out)?,
+            Quantity::Aba => forward_dynamics_into(model, q, v, x, aba, out)?,
+            Quantity::Bias => bias_force_into(model, q, v, rnea, out)?,
+            Quantity::Extremes => *ends = extreme_eigenvalues_at(model, q, at)?,
+            Quantity::Conditioning => {
                 mass_matrix_into(model, q, crba, H)?;
                 let [min, max] = extreme_eigenvalues_into(H, ones, room)?;
                 for (d, B) in out.iter_mut().enumerate() {
@@ -82,14 +92,14 @@ impl Contestant for Ours<'_> {
         Ok(())
     }
 
-    fn value(&mut self, quantity: &str) -> Vec<f64> {
+    fn value(&mut self, quantity: Quantity) -> Vec<f64> {
         match quantity {
-            "upper" => {
+            Quantity::Upper => {
                 let nv = self.H.rows();
                 Matrix::from_fn(nv, nv, |d, e| self.H[(d.min(e), d.max(e))]).as_slice().to_vec()
             }
-            "crba" => self.H.as_slice().to_vec(),
-            "extremes" | "conditioning" | "eigenvalues" => self.ends.to_vec(),
+            Quantity::Crba => self.H.as_slice().to_vec(),
+            Quantity::Extremes | Quantity::Conditioning | Quantity::Eigenvalues => self.ends.to_vec(),
             _ => self.out.clone(),
         }
     }

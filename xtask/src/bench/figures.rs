@@ -21,9 +21,16 @@ impl Figures {
 
     /// The median of a number's measurements; NaN where there is none, which then shows in the table.
     pub fn get(&self, name: &str) -> f64 {
-        let mut numbers = self.numbers.get(name).cloned().unwrap_or_default();
-        numbers.sort_by(f64::total_cmp);
-        numbers.get(numbers.len() / 2).copied().unwrap_or(f64::NAN)
+        median(self.all(name).to_vec())
+    }
+
+    /// The median of quotients of measurements that were taken in the same turn: what a machine does for longer than a turn falls on both.
+    pub fn ratio(&self, over: &str, under: &str) -> f64 {
+        median(self.all(over).iter().zip(self.all(under)).map(|(over, under)| over / under).collect())
+    }
+
+    fn all(&self, name: &str) -> &[f64] {
+        self.numbers.get(name).map_or(&[], Vec::as_slice)
     }
 
     /// The names that start with `prefix`, without it.
@@ -36,6 +43,11 @@ impl Figures {
         let line = |name: &String| format!("  \"{name}\": {:e}", self.get(name));
         format!("{{\n{}\n}}\n", self.numbers.keys().map(line).collect::<Vec<_>>().join(",\n"))
     }
+}
+
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]
@@ -52,6 +64,9 @@ mod tests {
         assert!(figures.get("d").is_nan());
         assert_eq!(figures.names("a ").collect::<Vec<_>>(), ["b"]);
         assert_eq!(figures.json(), "{\n  \"a b\": 2e-3,\n  \"c\": 2e0\n}\n");
+        figures.read("slow\t2\nfast\t1\nslow\t60\nfast\t20\nslow\t6\nfast\t4").unwrap();
+        assert_eq!(figures.ratio("slow", "fast"), 2.0);
+        assert!(figures.ratio("slow", "d").is_nan());
         assert_eq!(figures.read("error"), Err("not a measurement: `error`".into()));
     }
 }

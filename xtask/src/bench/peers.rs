@@ -1,6 +1,7 @@
 //! `cargo xtask bench-peers`: eigenbody beside other dynamics libraries on published robots.
 //!
-//! One description of each robot goes to every peer, so that no parser stands between; all take turns, and medians are compared.
+//! One description of each robot goes to every peer, so that no parser stands between; all take turns. Times are medians, ratios medians
+//! of the ratios within a turn.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -143,23 +144,45 @@ fn gcc(mut call: Command, sources: &Path, source: &str, libraries: &[PathBuf], b
     run(call.arg("-std=c++17").arg(&source).args(libraries).arg("-o").arg(built))
 }
 
-/// The fastest of a peer's builds and conventions, and its name; nothing if it took no part.
-fn best<'a>(figures: &'a Figures, head: &'a str, peer: &str) -> Option<(f64, &'a str)> {
+/// The fastest of a peer's builds and conventions at what `head` names; nothing if it took no part.
+fn best(figures: &Figures, head: &str, peer: &str) -> Option<String> {
     let names = figures.names(head).filter(|name| name.starts_with(peer) && !name.ends_with("-only"));
-    names.map(|name| (figures.get(&format!("{head}{name}")), name)).min_by(|a, b| a.0.total_cmp(&b.0))
+    let names = names.map(|name| format!("{head}{name}"));
+    names.min_by(|a, b| figures.get(a).total_cmp(&figures.get(b)))
+}
+
+fn label(robot: &str, base: &str) -> String {
+    if base == "floating" { format!("{robot}, floating") } else { robot.to_owned() }
+}
+
+/// A time, and how many times longer it is than another.
+fn slower(figures: &Figures, name: Option<String>, other: &str) -> [String; 2] {
+    name.map_or_else(nothing, |name| {
+        [time(figures.get(&name)), format!("{:.2}×", figures.ratio(&name, other))]
+    })
+}
+
+/// A time, and how many times shorter it is than another.
+fn faster(figures: &Figures, name: &str, other: Option<&str>) -> [String; 2] {
+    match other {
+        Some(other) if figures.get(name).is_finite() => {
+            [time(figures.get(name)), format!("{:.2}×", figures.ratio(other, name))]
+        }
+        _ => nothing(),
+    }
+}
+
+fn nothing() -> [String; 2] {
+    ["–".to_owned(), "–".to_owned()]
 }
 
 fn text(figures: &Figures) -> String {
     let tables = CONTESTS.map(|Contest { quantity, title, peers }| {
         let row = |(robot, base, _): (&str, &str, &str)| {
             let head = format!("{robot} {quantity} ");
-            let ours = figures.get(&format!("{head}eigenbody"));
-            let label = if base == "floating" { format!("{robot}, floating") } else { robot.to_owned() };
-            let cells = peers.iter().flat_map(|peer| match best(figures, &head, peer) {
-                Some((seconds, _)) => [time(seconds), format!("{:.2}×", seconds / ours)],
-                None => ["–".to_owned(), "–".to_owned()],
-            });
-            [label, time(ours)].into_iter().chain(cells).collect::<Vec<_>>()
+            let ours = format!("{head}eigenbody");
+            let cells = peers.iter().flat_map(|peer| slower(figures, best(figures, &head, peer), &ours));
+            [label(robot, base), time(figures.get(&ours))].into_iter().chain(cells).collect::<Vec<_>>()
         };
         let head: Vec<&str> = ["robot", "eigenbody"]
             .into_iter()
@@ -169,45 +192,41 @@ fn text(figures: &Figures) -> String {
     });
     let batches = BATCHES.map(|(quantity, title, theirs)| {
         let row = |(robot, base, _): (&str, &str, &str)| {
-            let head = format!("{robot} {quantity} ");
-            let of = |name: &str| {
-                Some(figures.get(&format!("{head}{name}"))).filter(|seconds| seconds.is_finite())
-            };
-            let their_head = format!("{robot} {theirs} ");
-            let peer = best(figures, &their_head, "pinocchio").map(|(seconds, _)| seconds);
-            let cells = |name: &str, reference: Option<f64>| match (of(name), reference) {
-                (Some(seconds), Some(reference)) => [time(seconds), format!("{:.2}×", reference / seconds)],
-                _ => ["–".to_owned(), "–".to_owned()],
-            };
-            let label = if base == "floating" { format!("{robot}, floating") } else { robot.to_owned() };
-            [label, peer.map_or_else(|| "–".to_owned(), time)]
+            let name = |contestant: &str| format!("{robot} {quantity} {contestant}");
+            let one = name("batch");
+            let peer = best(figures, &format!("{robot} {theirs} "), "pinocchio");
+            let peer = peer.as_deref();
+            [label(robot, base), peer.map_or_else(|| "–".to_owned(), |peer| time(figures.get(peer)))]
                 .into_iter()
-                .chain(cells("batch", peer))
-                .chain(cells("batch-avx2", peer))
-                .chain(cells("batch-many-2", of("batch-many")))
-                .chain(cells("batch-f32", of("batch")))
+                .chain(faster(figures, &one, peer))
+                .chain(faster(figures, &name("batch-avx2"), peer))
+                .chain(faster(figures, &name("batch-f32"), Some(&one)))
                 .collect::<Vec<_>>()
         };
-        let head = [
-            "robot",
-            "pinocchio",
-            "one core",
-            "ratio",
-            "AVX2",
-            "ratio",
-            "two cores, 32 times as many",
-            "to one core",
-            "f32",
-            "to f64",
-        ];
+        let head = ["robot", "pinocchio", "one core", "ratio", "AVX2", "ratio", "f32", "to f64"];
         table(&format!("Batches: {title}"), &head, &ROBOTS.map(row))
     });
+    let cores = ROBOTS.map(|(robot, base, _)| {
+        let cells = BATCHES.map(|(quantity, ..)| {
+            let ratio = |two: &str| {
+                let name = |contestant: &str| format!("{robot} {quantity} {contestant}");
+                format!("{:.2}×", figures.ratio(&name("batch-many"), &name(two)))
+            };
+            [ratio("batch-many-2"), ratio("batch-many-apart")]
+        });
+        [label(robot, base)].into_iter().chain(cells.into_iter().flatten()).collect::<Vec<_>>()
+    });
+    let head: Vec<&str> = ["robot"]
+        .into_iter()
+        .chain(["τ", "v̇", "H", "entries of H", "κ and κ′"].into_iter().flat_map(|what| [what, "apart"]))
+        .collect();
+    let cores = table("Batches: two threads to one, and two calls apart, a thread each", &head, &cores);
     let fastest = |quantity: &str| {
         let heads = ROBOTS.map(|(robot, ..)| format!("{robot} {quantity} "));
         let names = heads
             .iter()
-            .filter_map(|head| best(figures, head, "pinocchio"))
-            .map(|(_, name)| format!("`{}`", name.trim_start_matches("pinocchio-")));
+            .filter_map(|head| Some(best(figures, head, "pinocchio")?.strip_prefix(head)?.to_owned()))
+            .map(|name| format!("`{}`", name.trim_start_matches("pinocchio-")));
         let mut names: Vec<String> = names.collect();
         names.sort();
         names.dedup();
@@ -215,6 +234,6 @@ fn text(figures: &Figures) -> String {
     };
     let wins =
         ["rnea", "aba", "upper"].map(|quantity| format!("{quantity} {}", fastest(quantity))).join("; ");
-    let tables = tables.into_iter().chain(batches).collect::<Vec<_>>();
+    let tables = tables.into_iter().chain(batches).chain([cores]).collect::<Vec<_>>();
     format!("{}\nPinocchio's best builds and conventions: {wins}.\n", tables.join("\n"))
 }
