@@ -47,8 +47,6 @@ impl Spectra<'_> {
 }
 
 impl Kernel<f64> for Spectra<'_> {
-    /// The first configuration without an answer.
-    type Output = Option<(usize, Error)>;
     type Room<W: Wide<Constant = f64>> = Room<W>;
 
     #[inline(always)]

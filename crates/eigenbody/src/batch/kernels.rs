@@ -21,7 +21,6 @@ pub struct Masses<'a, T> {
 }
 
 impl<T: Batched> Kernel<T> for Masses<'_, T> {
-    type Output = ();
     type Room<W: Wide<Constant = T>> = Columns<W>;
 
     #[inline(always)]
@@ -37,7 +36,7 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         group: Range<usize>,
         columns: &mut Columns<W>,
         _: &mut Faults<W>,
-        (): &mut (),
+        _: &mut Option<(usize, Error)>,
     ) {
         let (first, lanes) = (group.start, group.len());
         columns.update(model, self.layout, q);
@@ -74,7 +73,6 @@ impl<K, W: Wide> Room<K, W> {
 }
 
 impl<T: Batched> Kernel<T> for Inverse<'_, T> {
-    type Output = ();
     type Room<W: Wide<Constant = T>> = Room<RneaWorkspace<W>, W>;
 
     #[inline(always)]
@@ -90,7 +88,7 @@ impl<T: Batched> Kernel<T> for Inverse<'_, T> {
         group: Range<usize>,
         Room { workspace, v, given, found }: &mut Self::Room<W>,
         faults: &mut Faults<W>,
-        (): &mut (),
+        _: &mut Option<(usize, Error)>,
     ) {
         let (nv, first, lanes) = (model.nv(), group.start, group.len());
         into_lanes(&self.v[first * nv..], nv, lanes, v);
@@ -112,8 +110,6 @@ pub struct Forward<'a, T> {
 }
 
 impl<T: Batched> Kernel<T> for Forward<'_, T> {
-    /// The first configuration with a pivot that is not positive.
-    type Output = Option<(usize, Error)>;
     type Room<W: Wide<Constant = T>> = Room<AbaWorkspace<W>, W>;
 
     #[inline(always)]

@@ -1,8 +1,8 @@
 //! Many configurations at once: lanes of the processor's widest unit, on all cores.
 //!
 //! ```text
-//! for each chunk of configurations, in parallel:
-//!     for each group of W configurations:    x ← one configuration a lane;    y ← kernel(x);    one result a lane ← y
+//! on each thread:    for each part that is left:    for each group of W configurations:
+//!     x ← one configuration a lane;    y ← kernel(x);    one result a lane ← y
 //! ```
 //! The kernels are those of [`dynamics`](crate::dynamics) and [`spectrum`](crate::spectrum), over lanes instead of numbers. Arrays
 //! are row-major, one configuration after the other, in the caller's memory. Groups are the same however many threads there are, and so
@@ -25,11 +25,13 @@ use kernels::{Forward, Inverse, Masses};
 use layout::Layout;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Mutex;
 
-/// Configurations of the widest group: chunks are multiples of it.
+/// Configurations of the widest group: parts are multiples of it.
 const GROUP: usize = MOST_LANES;
-/// Fewest configurations of a chunk.
-const CHUNK: usize = 4 * GROUP;
+/// Parts for each thread, and the fewest configurations of a part: small enough that no thread waits long for another, at the end.
+const PARTS: usize = 32;
+const LEAST: usize = 4 * GROUP;
 
 /// What went wrong, and where.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -125,17 +127,11 @@ impl Batch<'_, f64> {
         model.check_dense().map_err(BatchError::Shape)?;
         let ones = vec![1.0; model.nv()];
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
-        let (nq, chunk, weights, layout) =
-            (model.nq(), chunk(values.len()), weights.as_slice(), &Layout::new(model));
-        let (fit, failed): (Vec<bool>, Vec<_>) = chunks(q, chunk * nq)
-            .zip(chunks_mut(values, chunk))
-            .map(|(q, out)| {
-                let kernel = Spectra { q, layout, metric, weights, weighted, accuracy, out };
-                f64::dispatch_wide(unit, Over { model, q, kernel })
-            })
-            .unzip();
-        self.check(fit, q, &[])?;
-        first(failed, chunk)
+        let (size, weights, layout) = (part(values.len()), weights.as_slice(), &Layout::new(model));
+        let outs = values.chunks_mut(size).zip(rows(q, size, model.nq()));
+        let kernels = outs.map(|(out, q)| Spectra { q, layout, metric, weights, weighted, accuracy, out });
+        let found = self.share(size, q, kernels, |parts| f64::dispatch_wide(unit, Over { model, parts }));
+        self.check(found, q, &[])
     }
 }
 
@@ -212,15 +208,15 @@ impl<'m, T: Lanes> Batch<'m, T> {
     pub fn inverse_dynamics(&self, q: &[T], v: &[T], vdot: &[T], tau: &mut [T]) -> Result<(), BatchError> {
         let Self { model, unit } = *self;
         let count = self.count(q)?;
-        let (nq, nv) = (model.nq(), model.nv());
+        let nv = model.nv();
         length("v", v.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
-        let chunk = chunk(count);
-        let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(vdot, chunk * nv));
-        let parts = states.zip(chunks_mut(tau, chunk * nv));
-        let fit = parts.map(|(((q, v), vdot), tau)| T::inverse(model, unit, q, Inverse { v, vdot, tau }));
-        self.check(fit.collect(), q, &[("v", v), ("vdot", vdot)])
+        let size = part(count);
+        let given = rows(v, size, nv).zip(rows(vdot, size, nv));
+        let kernels = given.zip(rows_mut(tau, size, nv)).map(|((v, vdot), tau)| Inverse { v, vdot, tau });
+        let found = self.share(size, q, kernels, |parts| T::inverse(model, unit, parts));
+        self.check(found, q, &[("v", v), ("vdot", vdot)])
     }
 
     /// v̇ = H(q)⁻¹ (τ − C(q, v)) of every state.
@@ -237,18 +233,15 @@ impl<'m, T: Lanes> Batch<'m, T> {
     pub fn forward_dynamics(&self, q: &[T], v: &[T], tau: &[T], vdot: &mut [T]) -> Result<(), BatchError> {
         let Self { model, unit } = *self;
         let count = self.count(q)?;
-        let (nq, nv) = (model.nq(), model.nv());
+        let nv = model.nv();
         length("v", v.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
-        let chunk = chunk(count);
-        let states = chunks(q, chunk * nq).zip(chunks(v, chunk * nv)).zip(chunks(tau, chunk * nv));
-        let (fit, failed): (Vec<bool>, Vec<_>) = states
-            .zip(chunks_mut(vdot, chunk * nv))
-            .map(|(((q, v), tau), vdot)| T::forward(model, unit, q, Forward { v, tau, vdot }))
-            .unzip();
-        self.check(fit, q, &[("v", v), ("tau", tau)])?;
-        first(failed, chunk)
+        let size = part(count);
+        let given = rows(v, size, nv).zip(rows(tau, size, nv));
+        let kernels = given.zip(rows_mut(vdot, size, nv)).map(|((v, tau), vdot)| Forward { v, tau, vdot });
+        let found = self.share(size, q, kernels, |parts| T::forward(model, unit, parts));
+        self.check(found, q, &[("v", v), ("tau", tau)])
     }
 
     /// The entries at these places, or all of them.
@@ -262,12 +255,12 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ) -> Result<(), BatchError> {
         let Self { model, unit } = *self;
         model.check_dense().map_err(BatchError::Shape)?;
-        let (count, nq, size) = (self.count(q)?, model.nq(), places.map_or(layout.entries, <[u32]>::len));
-        length(what, H.len(), count * size)?;
-        let chunk = chunk(count);
-        let parts = chunks(q, chunk * nq).zip(chunks_mut(H, chunk * size));
-        let fit = parts.map(|(q, H)| T::masses(model, unit, q, Masses { layout, places, H })).collect();
-        self.check(fit, q, &[])
+        let (count, numbers) = (self.count(q)?, places.map_or(layout.entries, <[u32]>::len));
+        length(what, H.len(), count * numbers)?;
+        let size = part(count);
+        let kernels = rows_mut(H, size, numbers).map(|H| Masses { layout, places, H });
+        let found = self.share(size, q, kernels, |parts| T::masses(model, unit, parts));
+        self.check(found, q, &[])
     }
 
     /// Number of configurations in `q`.
@@ -284,22 +277,41 @@ impl<'m, T: Lanes> Batch<'m, T> {
         }
     }
 
-    /// If some part of the numbers was not found to be fit: the first configuration with a q, or other numbers, that is not.
-    fn check(&self, fit: Vec<bool>, q: &[T], others: &[(&'static str, &[T])]) -> Result<(), BatchError> {
-        if fit.into_iter().all(|fit| fit) {
-            return Ok(());
-        }
+    /// Runs kernels, each over its part of so many configurations: a thread that is done with one takes the next.
+    fn share<K: Send>(
+        &self,
+        size: usize,
+        q: &[T],
+        kernels: impl Iterator<Item = K> + Send,
+        run: impl Fn(Parts<'_, T, K>) -> Found + Sync,
+    ) -> Found {
+        let nq = self.model.nq();
+        let parts = (0..).step_by(size).zip(rows(q, size, nq).zip(kernels));
+        let parts = Mutex::new(parts.map(|(first, (q, kernel))| Part { first, q, kernel }));
+        let next = || parts.lock().ok()?.next();
+        let threads = rayon::current_num_threads().min(q.len().div_ceil((size * nq).max(1)));
+        (0..threads).into_par_iter().with_max_len(1).map(|_| run(&next)).reduce(Found::default, Found::and)
+    }
+
+    /// If some of the numbers were not found to be fit: the first configuration with a q, or other numbers, that is not; or else the first
+    /// without an answer.
+    fn check(&self, found: Found, q: &[T], others: &[(&'static str, &[T])]) -> Result<(), BatchError> {
         let (nq, nv) = (self.model.nq().max(1), self.model.nv().max(1));
         let at = |index| move |error: InputError| BatchError::Configuration { index, error: error.into() };
-        for (index, q) in q.chunks_exact(nq).enumerate() {
-            self.model.check_q(q).map_err(at(index))?;
-        }
-        for &(what, x) in others {
-            for (index, x) in x.chunks_exact(nv).enumerate() {
-                check(what, x, nv).map_err(at(index))?;
+        if found.unfit {
+            for (index, q) in q.chunks_exact(nq).enumerate() {
+                self.model.check_q(q).map_err(at(index))?;
+            }
+            for &(what, x) in others {
+                for (index, x) in x.chunks_exact(nv).enumerate() {
+                    check(what, x, nv).map_err(at(index))?;
+                }
             }
         }
-        Ok(())
+        match found.failed {
+            Some((index, error)) => Err(BatchError::Configuration { index, error }),
+            None => Ok(()),
+        }
     }
 }
 
@@ -310,63 +322,77 @@ fn length(what: &'static str, found: usize, expected: usize) -> Result<(), Batch
     }
 }
 
-/// Configurations of a chunk: a few chunks for each thread, whole groups.
-fn chunk(count: usize) -> usize {
-    let chunks = match rayon::current_num_threads() {
-        1 => 1,
-        threads => 4 * threads,
-    };
-    count.div_ceil(chunks).next_multiple_of(GROUP).max(CHUNK)
-}
-
-fn chunks<T: Sync>(x: &[T], size: usize) -> rayon::slice::Chunks<'_, T> {
-    x.par_chunks(size.max(1))
-}
-
-fn chunks_mut<T: Send>(x: &mut [T], size: usize) -> rayon::slice::ChunksMut<'_, T> {
-    x.par_chunks_mut(size.max(1))
-}
-
-/// The first failure in the order of the configurations.
-fn first(failed: Vec<Option<(usize, Error)>>, chunk: usize) -> Result<(), BatchError> {
-    let found = failed.into_iter().enumerate().find_map(|(k, failure)| Some((k, failure?)));
-    match found {
-        Some((k, (index, error))) => Err(BatchError::Configuration { index: k * chunk + index, error }),
-        None => Ok(()),
+/// Configurations of a part, whole groups.
+fn part(count: usize) -> usize {
+    match rayon::current_num_threads() {
+        1 => count.max(1),
+        threads => count.div_ceil(PARTS * threads).next_multiple_of(GROUP).max(LEAST),
     }
 }
+
+/// So many configurations of `n` numbers at a time.
+fn rows<T>(x: &[T], configurations: usize, n: usize) -> std::slice::Chunks<'_, T> {
+    x.chunks((configurations * n).max(1))
+}
+
+fn rows_mut<T>(x: &mut [T], configurations: usize, n: usize) -> std::slice::ChunksMut<'_, T> {
+    x.chunks_mut((configurations * n).max(1))
+}
+
+/// What a thread found in its parts.
+#[doc(hidden)]
+#[derive(Debug, Default)]
+pub struct Found {
+    /// Some number is not fit to be computed with.
+    unfit: bool,
+    /// The first configuration without an answer.
+    failed: Option<(usize, Error)>,
+}
+
+impl Found {
+    fn and(self, other: Self) -> Self {
+        let failed = match (self.failed, other.failed) {
+            (Some(one), Some(other)) => Some(if other.0 < one.0 { other } else { one }),
+            (one, other) => one.or(other),
+        };
+        Self { unfit: self.unfit || other.unfit, failed }
+    }
+}
+
+/// Configurations in a row: the first one's place in the batch, their q, and a kernel with what else belongs to them.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Part<'a, T, K> {
+    first: usize,
+    q: &'a [T],
+    kernel: K,
+}
+
+/// The next part, until none is left.
+#[doc(hidden)]
+pub type Parts<'a, T, K> = &'a (dyn Fn() -> Option<Part<'a, T, K>> + Sync);
 
 /// Numbers that a batch may be of: f32 and f64. The kernels are compiled here, once, not again by each crate that calls them.
 pub trait Lanes: Batched {
     #[doc(hidden)]
-    fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) -> bool;
+    fn masses(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Masses<'_, Self>>) -> Found;
     #[doc(hidden)]
-    fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) -> bool;
+    fn inverse(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Inverse<'_, Self>>) -> Found;
     #[doc(hidden)]
-    fn forward(
-        model: &Model<Self>,
-        unit: Unit,
-        q: &[Self],
-        kernel: Forward<'_, Self>,
-    ) -> (bool, Option<(usize, Error)>);
+    fn forward(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Forward<'_, Self>>) -> Found;
 }
 
 macro_rules! lanes {
     ($T:ident) => {
         impl Lanes for $T {
-            fn masses(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Masses<'_, Self>) -> bool {
-                Self::dispatch_wide(unit, Over { model, q, kernel }).0
+            fn masses(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Masses<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, Over { model, parts })
             }
-            fn inverse(model: &Model<Self>, unit: Unit, q: &[Self], kernel: Inverse<'_, Self>) -> bool {
-                Self::dispatch_wide(unit, Over { model, q, kernel }).0
+            fn inverse(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Inverse<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, Over { model, parts })
             }
-            fn forward(
-                model: &Model<Self>,
-                unit: Unit,
-                q: &[Self],
-                kernel: Forward<'_, Self>,
-            ) -> (bool, Option<(usize, Error)>) {
-                Self::dispatch_wide(unit, Over { model, q, kernel })
+            fn forward(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Forward<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, Over { model, parts })
             }
         }
     };
@@ -401,22 +427,19 @@ impl<W: Wide> Faults<W> {
     }
 }
 
-/// A kernel over the configurations of a chunk.
-struct Over<'a, T, K> {
-    model: &'a Model<T>,
-    q: &'a [T],
-    kernel: K,
+/// A kernel over the configurations of as many parts as it gets.
+struct Over<'m, 'a, T, K> {
+    model: &'m Model<T>,
+    parts: Parts<'a, T, K>,
 }
 
 /// What is computed of a group of configurations, one a lane.
 trait Kernel<T: Batched> {
-    /// What is told of a chunk.
-    type Output: Default;
     /// Memory for a group.
     type Room<W: Wide<Constant = T>>;
     /// Memory for a group.
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W>;
-    /// Computes a group of configurations, of which q stands in lanes already.
+    /// Computes a group of configurations, of which q stands in lanes already, and tells the first of its part without an answer.
     fn group<W: Wide<Constant = T>>(
         &mut self,
         model: &Model<T>,
@@ -424,32 +447,42 @@ trait Kernel<T: Batched> {
         group: Range<usize>,
         room: &mut Self::Room<W>,
         faults: &mut Faults<W>,
-        output: &mut Self::Output,
+        failed: &mut Option<(usize, Error)>,
     );
 }
 
-impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
-    /// Whether all numbers are fit to be computed with, and what the kernel tells.
-    type Output = (bool, K::Output);
+impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, '_, T, K> {
+    type Output = Found;
 
     #[inline(always)]
-    fn run<W: Wide<Constant = T>>(mut self) -> (bool, K::Output) {
+    fn run<W: Wide<Constant = T>>(self) -> Found {
         let (model, nq) = (self.model, self.model.nq());
-        let count = self.q.len().checked_div(nq).unwrap_or(0);
-        let mut q = turn::room(nq);
-        let (mut room, mut output) = (self.kernel.room::<W>(model), K::Output::default());
+        let mut found = Found::default();
+        let Some(mut part) = (self.parts)() else { return found };
+        let (mut q, mut room) = (turn::room(nq), part.kernel.room::<W>(model));
         let mut faults = Faults([W::ZERO; 4]);
-        let mut first = 0;
-        while first < count {
-            let lanes = W::WIDTH.min(count - first);
-            turn::into_lanes(&self.q[first * nq..], nq, lanes, &mut q);
-            faults.look_at(&q[..nq]);
-            for &(_, index) in &model.mechanism.quaternions {
-                faults.look_at_quaternion(&q[index as usize..]);
+        loop {
+            let count = part.q.len().checked_div(nq).unwrap_or(0);
+            let (mut failed, mut first) = (None, 0);
+            while first < count {
+                let lanes = W::WIDTH.min(count - first);
+                turn::into_lanes(&part.q[first * nq..], nq, lanes, &mut q);
+                faults.look_at(&q[..nq]);
+                for &(_, index) in &model.mechanism.quaternions {
+                    faults.look_at_quaternion(&q[index as usize..]);
+                }
+                part.kernel.group(model, &q, first..first + lanes, &mut room, &mut faults, &mut failed);
+                first += W::WIDTH;
             }
-            self.kernel.group(model, &q, first..first + lanes, &mut room, &mut faults, &mut output);
-            first += W::WIDTH;
+            if found.failed.is_none() {
+                found.failed = failed.map(|(k, error)| (part.first + k, error));
+            }
+            match (self.parts)() {
+                Some(next) => part = next,
+                None => break,
+            }
         }
-        (faults.none(), output)
+        found.unfit = !faults.none();
+        found
     }
 }

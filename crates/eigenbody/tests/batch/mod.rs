@@ -282,3 +282,35 @@ fn a_pivot_of_zero_is_refused() {
         other => panic!("{other:?}"),
     }
 }
+
+/// A mass on a slide across a hinge: the hinge has no pivot where it comes to stand on the axis. Of all such configurations the first is
+/// named, however many threads share them.
+#[test]
+fn the_first_pivot_of_zero_is_named() {
+    use eigenbody::model::{JointSpec, ModelBuilder};
+    use eigenbody::spatial::{RigidInertia, Sym3, Vec3};
+    use eigenbody::{Base, Joint};
+    let mut robot = ModelBuilder::new("sling");
+    let mass = RigidInertia::from_com(2.0, Vec3::ZERO, Sym3::ZERO);
+    let [base, arm, tip] = [("base", RigidInertia::ZERO), ("arm", RigidInertia::ZERO), ("tip", mass)]
+        .map(|(name, I)| robot.link(name, I));
+    robot.joint(JointSpec::new("turn", Joint::Revolute, base, arm).about(Vec3::Z));
+    robot.joint(JointSpec::new("slide", Joint::Prismatic, arm, tip).about(Vec3::X));
+    let model: Model<f64> = robot.build(Base::Fixed).unwrap();
+    let count = 5000;
+    let mut q = [0.3, 0.5].repeat(count);
+    for k in [4170, 1233, 4999] {
+        q[2 * k + 1] = 0.0;
+    }
+    let (zero, mut vdot) = (vec![0.0; 2 * count], vec![0.0; 2 * count]);
+    for threads in [1, 2, 3, 8] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let found = pool.install(|| Batch::new(&model).forward_dynamics(&q, &zero, &zero, &mut vdot));
+        match found {
+            Err(BatchError::Configuration { index: 1233, error: Error::NotPositiveDefinite(error) }) => {
+                assert_eq!(error.dof, 0);
+            }
+            other => panic!("{threads} threads: {other:?}"),
+        }
+    }
+}
