@@ -45,7 +45,7 @@ pub(crate) const EMPTY: u32 = u32::MAX;
 /// Slots side by side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Block {
-    /// The degree of freedom in each slot, or [`EMPTY`].
+    /// The degree of freedom in each slot; in a slot without one, that of the first.
     pub dofs: [u32; COLUMNS],
     /// How many numbers may go into a row of H as one, if degrees of freedom follow one another; else 0. All [`COLUMNS`] where the row
     /// goes on, and what stands there is zero or still to be written.
@@ -154,10 +154,14 @@ impl<T: Real> Mechanism<T> {
             sin_offset: Vec::with_capacity(bodies.len()),
             cos_offset: Vec::with_capacity(bodies.len()),
         };
+        let chains = chains(bodies);
         for (i, body) in bodies.iter().enumerate() {
             let Standing { motion, offset, twist, C, r, I } = frames.place(bodies, i);
             let slots = &mut mechanism.slots;
-            if i > 0 && body.parent() != Some(i - 1) {
+            // A block is also left where what follows then takes no more of them: its rows have fewer.
+            let (taken, rest) = (slots.len() % COLUMNS, chains[i]);
+            let spare = (taken + rest).div_ceil(COLUMNS) > rest.div_ceil(COLUMNS);
+            if spare || (i > 0 && body.parent() != Some(i - 1)) {
                 slots.resize(slots.len().next_multiple_of(COLUMNS), EMPTY);
             }
             let first = slots.len() as u32;
@@ -253,6 +257,16 @@ impl<T: Real> Mechanism<T> {
     }
 }
 
+/// Degrees of freedom of each body and of those that come right after it, one on the other.
+fn chains<T: Real>(bodies: &[Body<T>]) -> Vec<usize> {
+    let mut chains = vec![0; bodies.len()];
+    for (i, body) in bodies.iter().enumerate().rev() {
+        let next = bodies.get(i + 1).and_then(Body::parent) == Some(i);
+        chains[i] = body.dofs().len() + if next { chains[i + 1] } else { 0 };
+    }
+    chains
+}
+
 fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
     let block = |(k, dofs): (usize, &[u32])| {
         let (first, count) = (dofs[0], dofs.iter().filter(|&&dof| dof != EMPTY).count());
@@ -265,7 +279,8 @@ fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
             true => COLUMNS,
             false => count,
         };
-        Block { dofs: [dofs[0], dofs[1], dofs[2], dofs[3]], run: run as u32 }
+        let dof = |slot: usize| if slot < count { dofs[slot] } else { first };
+        Block { dofs: [first, dof(1), dof(2), dof(3)], run: run as u32 }
     };
     slots.chunks_exact(COLUMNS).enumerate().map(block).collect()
 }

@@ -12,7 +12,7 @@ use super::moments::Moments;
 use super::{Stand, columns, combined, components, stand, suits};
 use crate::dynamics::posture::Posture;
 use crate::matrix::Rows;
-use crate::model::{Block, EMPTY, Mechanism, Member, Model, MotionKind};
+use crate::model::{Block, Mechanism, Member, Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
 use std::ops::Range;
@@ -250,11 +250,12 @@ fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
         2 => H[first..first + 2].copy_from_slice(&x[..2]),
         1 => H[first] = x[0],
         _ => {
-            for (&dof, x) in block.dofs.iter().zip(x) {
-                if dof != EMPTY {
-                    H[dof as usize] = x;
-                }
-            }
+            // The first comes last: it stands in the place of those that are none.
+            let [a, b, c, d] = block.dofs;
+            H[d as usize] = x[3];
+            H[c as usize] = x[2];
+            H[b as usize] = x[1];
+            H[a as usize] = x[0];
         }
     }
 }
