@@ -25,8 +25,8 @@ pub(crate) struct Mechanism<T> {
     pub full: bool,
     /// By four rows of H: one more than the last degree of freedom that any of them has an entry with.
     pub reach: Vec<u32>,
-    /// Whole blocks of H, row after row, that hold all zeros of the upper triangle, and other numbers besides.
-    pub zeros: Vec<Range<u32>>,
+    /// Where blocks of H begin that hold all zeros of the upper triangle, and other numbers besides.
+    pub zeros: Vec<u32>,
     /// Nobody's degrees of freedom come before those of the body that carries it.
     pub ascending: bool,
     /// The joints whose coordinates hold a quaternion, and where it begins in q.
@@ -247,9 +247,8 @@ impl<T: Real> Mechanism<T> {
                 end += run.len();
                 if run[0] {
                     // A mechanism with two branches has more than a block of entries.
-                    let length = run.len().next_multiple_of(COLUMNS);
-                    let start = start.min((nv * nv).saturating_sub(length));
-                    self.zeros.push(start as u32..(start + length).min(nv * nv) as u32);
+                    let last = nv * nv - COLUMNS;
+                    self.zeros.extend((start..end).step_by(COLUMNS).map(|start| start.min(last) as u32));
                 }
             }
         }

@@ -15,7 +15,6 @@ use crate::matrix::Rows;
 use crate::model::{Block, Mechanism, Member, Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
 use crate::spatial::Vec3;
-use std::ops::Range;
 
 /// Slots of a block.
 const WIDTH: usize = 4;
@@ -262,11 +261,9 @@ fn write<T: Real, Q: Quad<T>>(block: &Block, x: Q, H: &mut [T]) {
 
 /// Zeros where there are any, and around them: all else is still to be written.
 #[inline(always)]
-fn clear<T: Real, Q: Quad<T>>(zeros: &[Range<u32>], H: &mut [T]) {
-    for run in zeros {
-        for four in H[run.start as usize..run.end as usize].chunks_exact_mut(WIDTH) {
-            Q::ZERO.to_slice(four);
-        }
+fn clear<T: Real, Q: Quad<T>>(zeros: &[u32], H: &mut [T]) {
+    for &start in zeros {
+        Q::ZERO.to_slice(&mut H[start as usize..][..WIDTH]);
     }
 }
 
