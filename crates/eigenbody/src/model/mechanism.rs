@@ -283,3 +283,43 @@ fn blocks(slots: &[u32], nv: usize) -> Vec<Block> {
     };
     slots.chunks_exact(COLUMNS).enumerate().map(block).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{COLUMNS, EMPTY};
+    use crate::joint::Joint;
+    use crate::model::{Base, JointSpec, Model, ModelBuilder};
+    use crate::spatial::{RigidInertia, Sym3, Vec3};
+
+    /// `n` hinges one after the other.
+    fn chain(n: usize, base: Base) -> Model<f64> {
+        let rod = RigidInertia::from_com(1.0, Vec3::X, Sym3::ZERO);
+        let mut robot = ModelBuilder::new("chain");
+        let mut carrier = robot.link("base", rod);
+        for k in 0..n {
+            let link = robot.link(format!("link {k}"), rod);
+            let hinge = JointSpec::new(format!("hinge {k}"), Joint::Revolute, carrier, link);
+            robot.joint(hinge.about(Vec3::Z));
+            carrier = link;
+        }
+        robot.build(base).unwrap()
+    }
+
+    /// No more blocks than there must be, and the last ones full: then the fewest rows reach into several.
+    #[test]
+    fn blocks_end_where_chains_end() {
+        const E: u32 = EMPTY;
+        for (n, base, slots) in [
+            (3, Base::Fixed, vec![0, 1, 2, E]),
+            (6, Base::Fixed, vec![0, 1, E, E, 2, 3, 4, 5]),
+            (7, Base::Fixed, vec![0, 1, 2, E, 3, 4, 5, 6]),
+            (8, Base::Fixed, vec![0, 1, 2, 3, 4, 5, 6, 7]),
+            (3, Base::Floating, vec![0, 1, 2, 3, 4, 5, E, E, 6, 7, 8, E]),
+            (6, Base::Floating, (0..12).collect()),
+        ] {
+            let mechanism = chain(n, base).mechanism;
+            assert_eq!(mechanism.slots, slots, "{n}, {base:?}");
+            assert_eq!(mechanism.blocks.len(), slots.len() / COLUMNS);
+        }
+    }
+}
