@@ -28,11 +28,13 @@ const PATIENCE: f64 = 20.0;
 const ACCURACY: f64 = 1e-8;
 
 /// States of a robot in one precision, and room for results.
-pub struct Batches<T> {
-    model: Model<T>,
+pub struct Batches<'r, T> {
+    batch: Batch<'r, T>,
     /// The same in f64, for κ.
-    exact: Model<f64>,
-    unit: Unit,
+    exact: Batch<'r, f64>,
+    nq: usize,
+    nv: usize,
+    entries: Vec<(usize, usize)>,
     threads: Arc<ThreadPool>,
     /// How much longer than others' its turns are.
     patience: f64,
@@ -48,10 +50,17 @@ pub struct Batches<T> {
     values: Vec<Values>,
 }
 
-impl<T: Lanes> Batches<T> {
-    pub fn new(robot: &Robot, unit: Unit, size: usize, threads: usize) -> Result<Self, Box<dyn Error>> {
-        let (exact, samples) = (robot.model.clone(), &robot.samples);
-        let nv = exact.nv();
+impl<'r, T: Lanes> Batches<'r, T> {
+    /// Of a robot and its model in this precision.
+    pub fn new(
+        robot: &'r Robot,
+        model: &'r Model<T>,
+        unit: Unit,
+        size: usize,
+        threads: usize,
+    ) -> Result<Self, Box<dyn Error>> {
+        let samples = &robot.samples;
+        let (nq, nv) = (model.nq(), model.nv());
         let times = (size / nv).div_ceil(samples.len());
         let count = times * samples.len();
         let all = |of: fn(&Sample) -> &Vec<f64>| {
@@ -60,9 +69,13 @@ impl<T: Lanes> Batches<T> {
         let numbers = |all: Vec<f64>| all.into_iter().map(T::from_f64).collect::<Vec<T>>();
         let exact_q = all(|sample| &sample.q);
         let matrices = if size > FEW { count / FEWER } else { count };
+        let batch = Batch::new(model).on(unit);
         Ok(Self {
-            model: exact.cast(),
-            unit,
+            entries: batch.entries(),
+            batch,
+            exact: Batch::new(&robot.model).on(unit),
+            nq,
+            nv,
             threads: Arc::new(rayon::ThreadPoolBuilder::new().num_threads(threads).build()?),
             patience: if size > FEW { PATIENCE } else { 1.0 },
             count,
@@ -70,11 +83,10 @@ impl<T: Lanes> Batches<T> {
             q: numbers(exact_q.clone()),
             v: numbers(all(|sample| &sample.v)),
             x: numbers(all(|sample| &sample.x)),
-            exact_q: exact_q[..matrices * exact.nq()].to_vec(),
+            exact_q: exact_q[..matrices * nq].to_vec(),
             out: vec![T::ZERO; count * nv],
             H: vec![T::ZERO; matrices * nv * nv],
             values: vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; matrices],
-            exact,
         })
     }
 
@@ -88,24 +100,20 @@ impl<T: Lanes> Batches<T> {
 
     fn all(&mut self, quantity: Quantity) -> Outcome {
         let count = self.count(quantity);
-        let Self { model, exact, unit, q, v, x, exact_q, out, H, values, .. } = self;
-        let batch = Batch::new(model).on(*unit);
-        let q = &q[..count * exact.nq()];
+        let Self { batch, exact, nq, entries, q, v, x, exact_q, out, H, values, .. } = self;
+        let q = &q[..count * *nq];
         match quantity {
             Quantity::Rnea => batch.inverse_dynamics(q, v, x, out)?,
             Quantity::Aba => batch.forward_dynamics(q, v, x, out)?,
             Quantity::Crba => batch.mass_matrices(q, H)?,
-            Quantity::Entries => batch.mass_matrix_entries(q, &mut H[..count * batch.entries().len()])?,
-            _ => {
-                let batch = Batch::new(exact).on(*unit);
-                batch.conditioning(exact_q, &Metric::Euclidean, ACCURACY, values)?;
-            }
+            Quantity::Entries => batch.mass_matrix_entries(q, &mut H[..count * entries.len()])?,
+            _ => exact.conditioning(exact_q, &Metric::Euclidean, ACCURACY, values)?,
         }
         Ok(())
     }
 }
 
-impl<T: Lanes> Contestant for Batches<T> {
+impl<T: Lanes> Contestant for Batches<'_, T> {
     fn quantities(&self) -> &'static [Quantity] {
         match T::EPSILON == f64::EPSILON {
             true => {
@@ -146,15 +154,15 @@ impl<T: Lanes> Contestant for Batches<T> {
 
     /// Of the first configuration.
     fn value(&mut self, quantity: Quantity) -> Vec<f64> {
-        let nv = self.exact.nv();
+        let nv = self.nv;
         let first = |numbers: &[T], n: usize| numbers[..n].iter().map(|x| x.to_f64()).collect();
         match quantity {
             Quantity::Crba => first(&self.H, nv * nv),
             Quantity::Entries => {
                 // The matrix that the entries belong to.
-                let entries: Vec<f64> = first(&self.H, Batch::new(&self.model).entries().len());
+                let numbers: Vec<f64> = first(&self.H, self.entries.len());
                 let mut H = vec![0.0; nv * nv];
-                for (&(d, e), H_de) in Batch::new(&self.model).entries().iter().zip(entries) {
+                for (&(d, e), H_de) in self.entries.iter().zip(numbers) {
                     (H[d * nv + e], H[e * nv + d]) = (H_de, H_de);
                 }
                 H
@@ -166,16 +174,16 @@ impl<T: Lanes> Contestant for Batches<T> {
 }
 
 /// Two batches on a thread each that know nothing of one another: what a machine gives to two threads at the time.
-pub struct Apart([Batches<f64>; 2]);
+pub struct Apart<'r>([Batches<'r, f64>; 2]);
 
-impl Apart {
-    pub fn new(robot: &Robot, size: usize) -> Result<Self, Box<dyn Error>> {
-        let half = || Batches::new(robot, Unit::Avx512, size / 2, 1);
+impl<'r> Apart<'r> {
+    pub fn new(robot: &'r Robot, size: usize) -> Result<Self, Box<dyn Error>> {
+        let half = || Batches::new(robot, &robot.model, Unit::Avx512, size / 2, 1);
         Ok(Self([half()?, half()?]))
     }
 }
 
-impl Contestant for Apart {
+impl Contestant for Apart<'_> {
     fn quantities(&self) -> &'static [Quantity] {
         self.0[0].quantities()
     }
@@ -187,7 +195,7 @@ impl Contestant for Apart {
     /// As many seconds as both need for one configuration together.
     fn turn(&mut self, quantity: Quantity, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
         let [one, other] = &mut self.0;
-        let run = |batch: &mut Batches<f64>| {
+        let run = |batch: &mut Batches<'_, f64>| {
             batch.turn(quantity, samples, seconds).map_err(|error| error.to_string())
         };
         let (one, other) = std::thread::scope(|scope| {

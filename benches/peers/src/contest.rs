@@ -126,13 +126,13 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
             ("dynibo", Box::new(Dynibo::new(robot)?)),
             ("nalgebra", Box::new(Nalgebra::new(robot)?)),
             ("faer", Box::new(Faer::new(robot)?)),
-            ("batch", Box::new(Batches::<f64>::new(robot, Unit::Avx512, FEW, 1)?)),
-            ("batch-avx2", Box::new(Batches::<f64>::new(robot, Unit::Avx2, FEW, 1)?)),
-            ("batch-many", Box::new(Batches::<f64>::new(robot, Unit::Avx512, MANY, 1)?)),
-            ("batch-many-2", Box::new(Batches::<f64>::new(robot, Unit::Avx512, MANY, 2)?)),
+            ("batch", Box::new(Batches::new(robot, &robot.model, Unit::Avx512, FEW, 1)?)),
+            ("batch-avx2", Box::new(Batches::new(robot, &robot.model, Unit::Avx2, FEW, 1)?)),
+            ("batch-many", Box::new(Batches::new(robot, &robot.model, Unit::Avx512, MANY, 1)?)),
+            ("batch-many-2", Box::new(Batches::new(robot, &robot.model, Unit::Avx512, MANY, 2)?)),
             ("batch-many-apart", Box::new(Apart::new(robot, MANY)?)),
-            ("batch-f32", Box::new(Batches::<f32>::new(robot, Unit::Avx512, FEW, 1)?)),
-            ("batch-f32-avx2", Box::new(Batches::<f32>::new(robot, Unit::Avx2, FEW, 1)?)),
+            ("batch-f32", Box::new(Batches::new(robot, &robot.single, Unit::Avx512, FEW, 1)?)),
+            ("batch-f32-avx2", Box::new(Batches::new(robot, &robot.single, Unit::Avx2, FEW, 1)?)),
         ];
         for (name, mut contestant) in here {
             let entrant = entrants.len();

@@ -40,6 +40,8 @@ pub struct Robot {
     pub name: String,
     /// As eigenbody has it.
     pub model: Model<f64>,
+    /// In single precision.
+    pub single: Model<f32>,
     /// Its URDF, fixed joints merged.
     pub urdf: PathBuf,
     /// Coordinates, velocities, and accelerations or forces.
@@ -109,7 +111,7 @@ pub fn read(directory: &str) -> Result<Vec<Robot>, Box<dyn Error>> {
         let urdf = path.with_extension("urdf");
         let model = model(&urdf, base)?;
         let samples = samples(&model);
-        Ok(Robot { name, model, urdf, samples })
+        Ok(Robot { name, single: model.cast(), model, urdf, samples })
     };
     paths.iter().map(robot).collect()
 }

@@ -2,6 +2,7 @@
 
 use crate::robots::{Case, plan};
 use allocation_counter::measure;
+use eigenbody::batch::Batch;
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, Denoc, FloatingWorkspace, MomentumWorkspace, RneaWorkspace, Udu,
     bias_force_into, energy_into, floating_mass_matrix_into, forward_dynamics_into, gravity_force_into,
@@ -74,6 +75,30 @@ fn dynamics_allocate_nothing<T: Real>() {
         assert_none("momentum", || _ = momentum_into(&model, &q, &v, &mut sweep).unwrap());
         assert_none("energy", || _ = energy_into(&model, &q, &v, &mut sweep).unwrap());
         assert_none("pose", || _ = link_pose(&model, &q, model.links().len() - 1).unwrap());
+    }
+}
+
+/// The second call of a batch finds what the first one left; a thread alone counts.
+#[test]
+fn batches_allocate_once() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    for Case { model, .. } in robots::<f64>() {
+        let (nv, count) = (model.nv(), 21);
+        let q: Vec<f64> = (0..count).flat_map(|seed| model.random(seed)).collect();
+        let x = vec![0.5; 21 * nv];
+        let (mut H, mut out) = (vec![0.0; 21 * nv * nv], vec![0.0; 21 * nv]);
+        let batch = Batch::new(&model);
+        let entries = 21 * batch.entries().len();
+        let mut all = || {
+            batch.mass_matrices(&q, &mut H).unwrap();
+            batch.mass_matrix_entries(&q, &mut H[..entries]).unwrap();
+            batch.inverse_dynamics(&q, &x, &x, &mut out).unwrap();
+            batch.forward_dynamics(&q, &x, &x, &mut out).unwrap();
+        };
+        pool.install(|| {
+            all();
+            assert_none("a batch", all);
+        });
     }
 }
 

@@ -19,8 +19,9 @@ pub(super) struct Spectra<'a> {
     pub q: &'a [f64],
     pub layout: &'a Layout,
     pub metric: &'a Metric<f64>,
-    /// B of every DoF; of no meaning in the unit-diagonal metric.
+    /// B of every DoF, and B^-½ by place in pre-order; of no meaning in the unit-diagonal metric.
     pub weights: &'a [f64],
+    pub units: &'a [f64],
     /// κ′ as well.
     pub weighted: bool,
     /// Relative error of λmin up to which the matrix is asked.
@@ -28,11 +29,9 @@ pub(super) struct Spectra<'a> {
     pub out: &'a mut [Values],
 }
 
-/// H and where its entries stand in a triangle, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF,
-/// by place in pre-order.
+/// H, matrices to be reduced, alone or two by two, and the units B^-½ and H_dd^-½ of every DoF, by place in pre-order.
 pub(super) struct Room<W: Wide> {
     columns: Columns<W>,
-    triangle: Vec<u32>,
     one: Packed<W>,
     two: Packed<Two<W>>,
     units: Vec<W>,
@@ -52,14 +51,11 @@ impl Kernel<f64> for Spectra<'_> {
     #[inline(always)]
     fn room<W: Wide<Constant = f64>>(&self, model: &Model<f64>) -> Room<W> {
         let nv = model.nv();
-        let (one, two) = if self.together() { (0, nv) } else { (nv, 0) };
-        let units = self.layout.order().map(|d| W::ONE / W::constant(self.weights[d]).sqrt());
         Room {
             columns: Columns::new(model, self.layout),
-            triangle: self.layout.triangle(),
-            one: Packed::new(one),
-            two: Packed::new(two),
-            units: units.collect(),
+            one: Packed::new(nv),
+            two: Packed::new(if nv <= TOGETHER { nv } else { 0 }),
+            units: vec![W::ZERO; nv],
             own: vec![W::ZERO; nv],
         }
     }
@@ -70,11 +66,14 @@ impl Kernel<f64> for Spectra<'_> {
         model: &Model<f64>,
         q: &[W],
         group: Range<usize>,
-        Room { columns, triangle, one, two, units, own }: &mut Room<W>,
+        Room { columns, one, two, units, own }: &mut Room<W>,
         _: &mut Faults<W>,
         failed: &mut Option<(usize, Error)>,
     ) {
-        let layout = self.layout;
+        let (layout, triangle) = (self.layout, self.layout.triangle());
+        for (unit, &number) in units.iter_mut().zip(self.units) {
+            *unit = W::constant(number);
+        }
         columns.update(model, layout, q);
         let H = columns.entries(layout);
         let unit_diagonal = *self.metric == Metric::UnitDiagonal;
@@ -87,7 +86,7 @@ impl Kernel<f64> for Spectra<'_> {
         // λmin and λmax in the metric and in units of H's own diagonal.
         let nothing = [W::ZERO; 2];
         let (ends, own_ends) = if self.together() {
-            let mut entries = two.A.iter_mut().zip(&*triangle);
+            let mut entries = two.A.iter_mut().zip(triangle);
             for (i, (&unit_i, &own_i)) in units.iter().zip(&*own).enumerate() {
                 let row = entries.by_ref().take(i + 1);
                 for ((a, &place), (&unit, &own)) in row.zip(units.iter().zip(&*own)) {

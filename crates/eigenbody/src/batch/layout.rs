@@ -2,11 +2,12 @@
 
 use crate::model::Model;
 use crate::scalar::Real;
+use std::sync::OnceLock;
 
 /// Degrees of freedom of a free root, and numbers of a column.
 pub(super) const SIX: usize = 6;
 
-/// Where the entries of H stand: made once for a batch.
+/// Where the entries of H stand: made once for all calls.
 #[derive(Debug)]
 pub(super) struct Layout {
     pub nv: usize,
@@ -25,6 +26,8 @@ pub(super) struct Layout {
     pub armed: bool,
     /// How many entries there are, the zero not counted.
     pub entries: usize,
+    square: OnceLock<Vec<u32>>,
+    triangle: OnceLock<Vec<u32>>,
 }
 
 /// What stands where of a body and of all that it carries.
@@ -92,27 +95,32 @@ impl Layout {
         let order = model.dofs().order().map(|d| d as u32).collect();
         let entries = pairs.len();
         let armed = model.armature.iter().any(|&a| a != T::ZERO);
-        Self { nv, order, pairs, diagonal, subtrees, columns, apart, armed, entries }
+        let (square, triangle) = Default::default();
+        Self { nv, order, pairs, diagonal, subtrees, columns, apart, armed, entries, square, triangle }
     }
 
     /// nv × nv: which entry stands there. The one after the last is zero.
-    pub fn square(&self) -> Vec<u32> {
-        let mut places = vec![self.entries as u32; self.nv * self.nv];
-        for (entry, (d, e)) in (0..).zip(self.pairs()) {
-            places[d * self.nv + e] = entry;
-            places[e * self.nv + d] = entry;
-        }
-        places
+    pub fn square(&self) -> &[u32] {
+        self.square.get_or_init(|| {
+            let mut places = vec![self.entries as u32; self.nv * self.nv];
+            for (entry, (d, e)) in (0..).zip(self.pairs()) {
+                places[d * self.nv + e] = entry;
+                places[e * self.nv + d] = entry;
+            }
+            places
+        })
     }
 
     /// The lower triangle by rows, degrees of freedom in pre-order: which entry stands there. The one after the last is zero.
-    pub fn triangle(&self) -> Vec<u32> {
-        let mut places = vec![self.entries as u32; self.nv * (self.nv + 1) / 2];
-        for (entry, &(row, column)) in (0..).zip(&self.pairs) {
-            let (least, most) = (row.min(column) as usize, row.max(column) as usize);
-            places[most * (most + 1) / 2 + least] = entry;
-        }
-        places
+    pub fn triangle(&self) -> &[u32] {
+        self.triangle.get_or_init(|| {
+            let mut places = vec![self.entries as u32; self.nv * (self.nv + 1) / 2];
+            for (entry, &(row, column)) in (0..).zip(&self.pairs) {
+                let (least, most) = (row.min(column) as usize, row.max(column) as usize);
+                places[most * (most + 1) / 2 + least] = entry;
+            }
+            places
+        })
     }
 
     /// The degrees of freedom of every entry, the one further in last.

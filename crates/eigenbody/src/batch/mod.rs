@@ -6,7 +6,7 @@
 //! ```
 //! The kernels are those of [`dynamics`](crate::dynamics) and [`spectrum`](crate::spectrum), over lanes instead of numbers. Arrays
 //! are row-major, one configuration after the other, in the caller's memory. Groups are the same however many threads there are, and so
-//! are the numbers. Every call allocates its workspaces anew: batches of a hundred configurations and more make up for that.
+//! are the numbers. What a call has allocated is kept for the next one of the same kind.
 
 mod ends;
 mod kernels;
@@ -25,8 +25,8 @@ use ends::Spectra;
 use kernels::{Forward, Inverse, Masses};
 use layout::Layout;
 use rayon::prelude::*;
-use share::{Faults, Found, Kernel, Over, Part, Parts, part, rows, rows_mut};
-use std::sync::Mutex;
+use share::{Faults, Found, Kernel, Over, Part, Rooms, part, rows, rows_mut};
+use std::sync::{Mutex, OnceLock};
 
 /// Configurations of the widest group: parts are multiples of it.
 const GROUP: usize = MOST_LANES;
@@ -49,6 +49,8 @@ pub enum BatchError {
 
 /// Computes over many configurations of one robot.
 ///
+/// Made once and called often: memory that a call needs beside the caller's is kept, as much as its threads have used at a time.
+///
 /// ```
 /// use eigenbody::{Family, Model, batch::Batch, mass_matrix};
 /// let arm: Model<f64> = Family::hydra(3, 1.0, 0.4, 1.0)?.model()?;
@@ -59,10 +61,12 @@ pub enum BatchError {
 /// assert!(H[891..].iter().zip(last.as_slice()).all(|(a, b)| (a - b).abs() < 1e-14));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct Batch<'m, T> {
     model: &'m Model<T>,
     unit: Unit,
+    layout: OnceLock<Layout>,
+    rooms: Rooms,
 }
 
 impl Batch<'_, f64> {
@@ -121,14 +125,17 @@ impl Batch<'_, f64> {
         weighted: bool,
         values: &mut [Values],
     ) -> Result<(), BatchError> {
-        let Self { model, unit } = *self;
+        let model = self.model;
         model.check_dense().map_err(BatchError::Shape)?;
         let ones = vec![1.0; model.nv()];
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
-        let (size, weights, layout) = (part(values.len()), weights.as_slice(), &Layout::new(model));
+        let (size, weights, layout) = (part(values.len()), weights.as_slice(), self.layout());
+        let units: Vec<f64> = layout.order().map(|d| 1.0 / weights[d].sqrt()).collect();
+        let units = units.as_slice();
         let outs = values.chunks_mut(size).zip(rows(q, size, model.nq()));
-        let kernels = outs.map(|(out, q)| Spectra { q, layout, metric, weights, weighted, accuracy, out });
-        let found = self.share(size, q, kernels, |parts| f64::dispatch_wide(unit, Over { model, parts }));
+        let kernels =
+            outs.map(|(out, q)| Spectra { q, layout, metric, weights, units, weighted, accuracy, out });
+        let found = self.share(size, q, kernels, |unit, over| f64::dispatch_wide(unit, over));
         self.check(found, q, &[])
     }
 }
@@ -136,7 +143,7 @@ impl Batch<'_, f64> {
 impl<'m, T: Lanes> Batch<'m, T> {
     /// On the widest unit of this processor.
     pub fn new(model: &'m Model<T>) -> Self {
-        Self { model, unit: Unit::widest() }
+        Self { model, unit: Unit::widest(), layout: OnceLock::new(), rooms: Rooms::default() }
     }
 
     /// On no wider a unit than this: for comparisons.
@@ -155,14 +162,13 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ///
     /// Errors: [`BatchError`]; `H` then holds no result.
     pub fn mass_matrices(&self, q: &[T], H: &mut [T]) -> Result<(), BatchError> {
-        let layout = &Layout::new(self.model);
-        self.masses("H", q, layout, Some(&layout.square()), H)
+        self.masses("H", q, Some(Layout::square), H)
     }
 
     /// The entries (d, e) of H that [`mass_matrix_entries`](Self::mass_matrix_entries) gives, in its order: e on the path from the root to
     /// d, or d itself. All others are zero, or mirror these.
     pub fn entries(&self) -> Vec<(usize, usize)> {
-        Layout::new(self.model).pairs()
+        self.layout().pairs()
     }
 
     /// H(q) of every configuration, but for zeros between branches and the other triangle.
@@ -188,8 +194,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn mass_matrix_entries(&self, q: &[T], entries: &mut [T]) -> Result<(), BatchError> {
-        let layout = &Layout::new(self.model);
-        self.masses("entries", q, layout, None, entries)
+        self.masses("entries", q, None, entries)
     }
 
     /// τ = H(q) v̇ + C(q, v) of every state.
@@ -204,16 +209,14 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ///
     /// Errors: [`BatchError`]; `tau` then holds no result.
     pub fn inverse_dynamics(&self, q: &[T], v: &[T], vdot: &[T], tau: &mut [T]) -> Result<(), BatchError> {
-        let Self { model, unit } = *self;
-        let count = self.count(q)?;
-        let nv = model.nv();
+        let (count, nv) = (self.count(q)?, self.model.nv());
         length("v", v.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
         let size = part(count);
         let given = rows(v, size, nv).zip(rows(vdot, size, nv));
         let kernels = given.zip(rows_mut(tau, size, nv)).map(|((v, vdot), tau)| Inverse { v, vdot, tau });
-        let found = self.share(size, q, kernels, |parts| T::inverse(model, unit, parts));
+        let found = self.share(size, q, kernels, T::inverse);
         self.check(found, q, &[("v", v), ("vdot", vdot)])
     }
 
@@ -229,16 +232,14 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ///
     /// Errors: [`BatchError`], also where a hinge inertia is not positive; `vdot` then holds no result.
     pub fn forward_dynamics(&self, q: &[T], v: &[T], tau: &[T], vdot: &mut [T]) -> Result<(), BatchError> {
-        let Self { model, unit } = *self;
-        let count = self.count(q)?;
-        let nv = model.nv();
+        let (count, nv) = (self.count(q)?, self.model.nv());
         length("v", v.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
         let size = part(count);
         let given = rows(v, size, nv).zip(rows(tau, size, nv));
         let kernels = given.zip(rows_mut(vdot, size, nv)).map(|((v, tau), vdot)| Forward { v, tau, vdot });
-        let found = self.share(size, q, kernels, |parts| T::forward(model, unit, parts));
+        let found = self.share(size, q, kernels, T::forward);
         self.check(found, q, &[("v", v), ("tau", tau)])
     }
 
@@ -247,18 +248,22 @@ impl<'m, T: Lanes> Batch<'m, T> {
         &self,
         what: &'static str,
         q: &[T],
-        layout: &Layout,
-        places: Option<&[u32]>,
+        places: Option<fn(&Layout) -> &[u32]>,
         H: &mut [T],
     ) -> Result<(), BatchError> {
-        let Self { model, unit } = *self;
-        model.check_dense().map_err(BatchError::Shape)?;
+        self.model.check_dense().map_err(BatchError::Shape)?;
+        let layout = self.layout();
+        let places = places.map(|of| of(layout));
         let (count, numbers) = (self.count(q)?, places.map_or(layout.entries, <[u32]>::len));
         length(what, H.len(), count * numbers)?;
         let size = part(count);
         let kernels = rows_mut(H, size, numbers).map(|H| Masses { layout, places, H });
-        let found = self.share(size, q, kernels, |parts| T::masses(model, unit, parts));
+        let found = self.share(size, q, kernels, T::masses);
         self.check(found, q, &[])
+    }
+
+    fn layout(&self) -> &Layout {
+        self.layout.get_or_init(|| Layout::new(self.model))
     }
 
     /// Number of configurations in `q`.
@@ -281,14 +286,19 @@ impl<'m, T: Lanes> Batch<'m, T> {
         size: usize,
         q: &[T],
         kernels: impl Iterator<Item = K> + Send,
-        run: impl Fn(Parts<'_, T, K>) -> Found + Sync,
+        run: impl Fn(Unit, Over<'_, T, K>) -> Found + Sync,
     ) -> Found {
-        let nq = self.model.nq();
+        let Self { model, unit, rooms, .. } = self;
+        let nq = model.nq();
         let parts = (0..).step_by(size).zip(rows(q, size, nq).zip(kernels));
         let parts = Mutex::new(parts.map(|(first, (q, kernel))| Part { first, q, kernel }));
         let next = || parts.lock().ok()?.next();
         let threads = rayon::current_num_threads().min(q.len().div_ceil((size * nq).max(1)));
-        (0..threads).into_par_iter().with_max_len(1).map(|_| run(&next)).reduce(Found::default, Found::and)
+        (0..threads)
+            .into_par_iter()
+            .with_max_len(1)
+            .map(|_| run(*unit, Over { model, rooms, next: &next }))
+            .reduce(Found::default, Found::and)
     }
 
     /// If some of the numbers were not found to be fit: the first configuration with a q, or other numbers, that is not; or else the first
@@ -323,24 +333,24 @@ fn length(what: &'static str, found: usize, expected: usize) -> Result<(), Batch
 /// Numbers that a batch may be of: f32 and f64. The kernels are compiled here, once, not again by each crate that calls them.
 pub trait Lanes: Batched {
     #[doc(hidden)]
-    fn masses(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Masses<'_, Self>>) -> Found;
+    fn masses(unit: Unit, over: Over<'_, Self, Masses<'_, Self>>) -> Found;
     #[doc(hidden)]
-    fn inverse(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Inverse<'_, Self>>) -> Found;
+    fn inverse(unit: Unit, over: Over<'_, Self, Inverse<'_, Self>>) -> Found;
     #[doc(hidden)]
-    fn forward(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Forward<'_, Self>>) -> Found;
+    fn forward(unit: Unit, over: Over<'_, Self, Forward<'_, Self>>) -> Found;
 }
 
 macro_rules! lanes {
     ($T:ident) => {
         impl Lanes for $T {
-            fn masses(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Masses<'_, Self>>) -> Found {
-                Self::dispatch_wide(unit, Over { model, parts })
+            fn masses(unit: Unit, over: Over<'_, Self, Masses<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, over)
             }
-            fn inverse(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Inverse<'_, Self>>) -> Found {
-                Self::dispatch_wide(unit, Over { model, parts })
+            fn inverse(unit: Unit, over: Over<'_, Self, Inverse<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, over)
             }
-            fn forward(model: &Model<Self>, unit: Unit, parts: Parts<'_, Self, Forward<'_, Self>>) -> Found {
-                Self::dispatch_wide(unit, Over { model, parts })
+            fn forward(unit: Unit, over: Over<'_, Self, Forward<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, over)
             }
         }
     };

@@ -1,10 +1,13 @@
-//! What threads share: parts of a batch, each taken by whoever is done with another.
+//! What threads share: parts of a batch, each taken by whoever is done with another, and rooms that are left for the next call.
 
 use super::{GROUP, turn};
 use crate::error::Error;
 use crate::model::{Model, QUATERNION_TOLERANCE};
 use crate::scalar::{Batched, Scalar, Wide, WideAlgorithm};
+use std::any::Any;
+use std::fmt;
 use std::ops::Range;
+use std::sync::Mutex;
 
 /// Parts for each thread, and the fewest configurations of a part: small enough that no thread waits long for another, at the end.
 const PARTS: usize = 32;
@@ -57,8 +60,32 @@ pub struct Part<'a, T, K> {
 }
 
 /// The next part, until none is left.
-#[doc(hidden)]
-pub type Parts<'a, T, K> = &'a (dyn Fn() -> Option<Part<'a, T, K>> + Sync);
+type Parts<'a, T, K> = &'a (dyn Fn() -> Option<Part<'a, T, K>> + Sync);
+
+/// Memory of threads that are done.
+#[derive(Default)]
+pub(super) struct Rooms(Mutex<Vec<Box<dyn Any + Send>>>);
+
+impl fmt::Debug for Rooms {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Rooms").finish_non_exhaustive()
+    }
+}
+
+impl Rooms {
+    /// One of this kind, if one is left.
+    fn take<R: Any>(&self) -> Option<Box<R>> {
+        let mut rooms = self.0.lock().ok()?;
+        let place = rooms.iter().rposition(|room| room.is::<R>())?;
+        rooms.swap_remove(place).downcast().ok()
+    }
+
+    fn leave<R: Any + Send>(&self, room: Box<R>) {
+        if let Ok(mut rooms) = self.0.lock() {
+            rooms.push(room);
+        }
+    }
+}
 
 /// Zero in every lane as long as all numbers are finite, and all quaternions near enough to unit ones.
 pub(super) struct Faults<W>([W; 4]);
@@ -87,15 +114,18 @@ impl<W: Wide> Faults<W> {
 }
 
 /// A kernel over the configurations of as many parts as it gets.
-pub(super) struct Over<'m, 'a, T, K> {
-    pub(super) model: &'m Model<T>,
-    pub(super) parts: Parts<'a, T, K>,
+#[doc(hidden)]
+#[allow(missing_debug_implementations)]
+pub struct Over<'a, T, K> {
+    pub(super) model: &'a Model<T>,
+    pub(super) rooms: &'a Rooms,
+    pub(super) next: Parts<'a, T, K>,
 }
 
 /// What is computed of a group of configurations, one a lane.
 pub(super) trait Kernel<T: Batched> {
-    /// Memory for a group.
-    type Room<W: Wide<Constant = T>>;
+    /// Memory for a group, whatever stands in it.
+    type Room<W: Wide<Constant = T>>: Any + Send;
     /// Memory for a group.
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W>;
     /// Computes a group of configurations, of which q stands in lanes already, and tells the first of its part without an answer.
@@ -110,37 +140,48 @@ pub(super) trait Kernel<T: Batched> {
     );
 }
 
-impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, '_, T, K> {
+/// Memory of a thread: q in lanes, and what its kernel needs.
+struct Own<W, R> {
+    q: Vec<W>,
+    room: R,
+}
+
+impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
     type Output = Found;
 
     #[inline(always)]
     fn run<W: Wide<Constant = T>>(self) -> Found {
-        let (model, nq) = (self.model, self.model.nq());
+        let Self { model, rooms, next } = self;
+        let nq = model.nq();
         let mut found = Found::default();
-        let Some(mut part) = (self.parts)() else { return found };
-        let (mut q, mut room) = (turn::room(nq), part.kernel.room::<W>(model));
+        let Some(mut part) = next() else { return found };
+        let mut own = rooms
+            .take::<Own<W, K::Room<W>>>()
+            .unwrap_or_else(|| Box::new(Own { q: turn::room(nq), room: part.kernel.room::<W>(model) }));
+        let Own { q, room } = &mut *own;
         let mut faults = Faults([W::ZERO; 4]);
         loop {
             let count = part.q.len().checked_div(nq).unwrap_or(0);
             let (mut failed, mut first) = (None, 0);
             while first < count {
                 let lanes = W::WIDTH.min(count - first);
-                turn::into_lanes(&part.q[first * nq..], nq, lanes, &mut q);
+                turn::into_lanes(&part.q[first * nq..], nq, lanes, q);
                 faults.look_at(&q[..nq]);
                 for &(_, index) in &model.mechanism.quaternions {
                     faults.look_at_quaternion(&q[index as usize..]);
                 }
-                part.kernel.group(model, &q, first..first + lanes, &mut room, &mut faults, &mut failed);
+                part.kernel.group(model, q, first..first + lanes, room, &mut faults, &mut failed);
                 first += W::WIDTH;
             }
             if found.failed.is_none() {
                 found.failed = failed.map(|(k, error)| (part.first + k, error));
             }
-            match (self.parts)() {
+            match next() {
                 Some(next) => part = next,
                 None => break,
             }
         }
+        rooms.leave(own);
         found.unfit = !faults.none();
         found
     }

@@ -122,12 +122,11 @@ impl<'m> Evaluator<'m> {
             };
             return all.par_iter().map_init(|| self.clone(), one).collect();
         }
-        let mut values = Vec::with_capacity(all.len());
+        let (batch, mut values) = (Batch::new(self.model), Vec::with_capacity(all.len()));
         for some in all.chunks(AT_ONCE) {
             let mut found =
                 vec![Values { lambda_min: 0.0, lambda_max: 0.0, kappa_weighted: 0.0 }; some.len()];
-            let done =
-                Batch::new(self.model).conditioning(&some.concat(), &self.metric, ACCURACY, &mut found);
+            let done = batch.conditioning(&some.concat(), &self.metric, ACCURACY, &mut found);
             done.map_err(|error| match error {
                 BatchError::Shape(error) => error.into(),
                 BatchError::Configuration { error, .. } => error,

@@ -241,6 +241,37 @@ fn numbers_do_not_depend_on_threads() {
     assert_eq!(of(1), of(3));
 }
 
+/// What a call has left in a batch is nothing to the next one, whatever that asks, and of however many.
+#[test]
+fn numbers_do_not_depend_on_calls_before() {
+    let model: Model<f64> = Family::auto_tree(12, 1.5, 0.3, 0.9).unwrap().floating().model().unwrap();
+    let nv = model.nv();
+    let weights = Metric::Diagonal((1..=nv).map(|d| d as f64).collect());
+    type Call<'a> = &'a dyn Fn(&Batch<'_, f64>, &[f64], &[f64], &mut [f64]) -> Result<(), BatchError>;
+    let calls: [(&str, usize, Call<'_>); 6] = [
+        ("H", nv * nv, &|batch, q, _, out| batch.mass_matrices(q, out)),
+        ("τ", nv, &|batch, q, x, out| batch.inverse_dynamics(q, x, x, out)),
+        ("v̇", nv, &|batch, q, x, out| batch.forward_dynamics(q, x, x, out)),
+        ("ends", 2, &|batch, q, _, out| batch.extremes(q, &Metric::Euclidean, 1e-6, out)),
+        ("weighted", 2, &|batch, q, _, out| batch.extremes(q, &weights, 1e-6, out)),
+        ("own units", 2, &|batch, q, _, out| batch.extremes(q, &Metric::UnitDiagonal, 1e-6, out)),
+    ];
+    for unit in UNITS {
+        let kept = Batch::new(&model).on(unit);
+        for count in [30, 7, 30, 16] {
+            let q: Vec<f64> = (0..count as u64).flat_map(|seed| model.random(seed)).collect();
+            let x = numbers(count * nv, 5);
+            for (what, size, call) in calls {
+                let of = |batch: &Batch<'_, f64>| {
+                    let mut out = vec![0.0; count * size];
+                    call(batch, &q, &x, &mut out).map(|()| out)
+                };
+                assert_eq!(of(&kept), of(&Batch::new(&model).on(unit)), "{what}, {count}, {unit:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn what_does_not_fit_is_refused() {
     let model: Model<f64> = Family::auto_tree(8, 1.0, 0.3, 1.0).unwrap().model().unwrap();
