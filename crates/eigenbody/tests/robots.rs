@@ -37,17 +37,29 @@ pub struct PlanJoint<T> {
 pub fn plan<T: Real>(seed: u64, links: usize) -> Plan<T> {
     let mut random = Random::new(seed);
     let bushiness = random.uniform();
+    let above = |random: &mut Random, i: usize| {
+        if random.uniform() < bushiness { random.uniform() * i as f64 } else { (i - 1) as f64 }
+    };
+    hung(random, links, |random, i| above(random, i) as usize).shuffled(seed)
+}
+
+/// Random links on random joints, link i > 0 on link `parents[i - 1]`.
+pub fn tree<T: Real>(seed: u64, parents: &[usize]) -> Plan<T> {
+    hung(Random::new(seed), parents.len(), |_, i| parents[i - 1])
+}
+
+fn hung<T: Real>(mut random: Random, links: usize, above: impl Fn(&mut Random, usize) -> usize) -> Plan<T> {
     let base = PlanLink { name: "base".into(), inertia: inertia(&mut random) };
     let mut plan = Plan { links: vec![base], joints: Vec::new() };
     for i in 1..=links {
-        let above = if random.uniform() < bushiness { random.uniform() * i as f64 } else { (i - 1) as f64 };
+        let above = above(&mut random, i);
         let kind = kind(&mut random);
         let armed = random.uniform() < 0.3;
         let armature = (0..kind.nv()).map(|_| T::from_f64(random.between(0.0, 0.2))).collect();
         plan.joints.push(PlanJoint {
             name: format!("joint_{i}"),
             kind,
-            parent: plan.links[above as usize].name.clone(),
+            parent: plan.links[above].name.clone(),
             child: format!("link_{i}"),
             placement: Transform::new(rotation(&mut random), vector(&mut random) * T::from_f64(0.5)),
             axis: vector(&mut random),
@@ -55,7 +67,7 @@ pub fn plan<T: Real>(seed: u64, links: usize) -> Plan<T> {
         });
         plan.links.push(PlanLink { name: format!("link_{i}"), inertia: inertia(&mut random) });
     }
-    plan.shuffled(seed)
+    plan
 }
 
 /// Every kind; first axes of universal joints are not perpendicular to the second.

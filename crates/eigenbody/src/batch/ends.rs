@@ -74,8 +74,7 @@ impl Kernel<f64> for Spectra<'_> {
         for (unit, &number) in units.iter_mut().zip(self.units) {
             *unit = W::constant(number);
         }
-        columns.update(model, layout, q);
-        let H = columns.entries(layout);
+        let H = columns.update(model, layout, q);
         let unit_diagonal = *self.metric == Metric::UnitDiagonal;
         let weighted = self.weighted || unit_diagonal;
         if weighted {

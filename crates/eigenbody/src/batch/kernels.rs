@@ -2,7 +2,7 @@
 
 use super::layout::Layout;
 use super::mass::Columns;
-use super::turn::{self, from_lanes, from_places, into_lanes};
+use super::turn::{self, from_lanes, from_places, into_lanes, part_from_lanes};
 use super::{AbaWorkspace, Faults, GROUP, Kernel, RneaWorkspace};
 use crate::dynamics::{Aba, Rnea};
 use crate::error::{Error, NotPositiveDefinite};
@@ -10,13 +10,14 @@ use crate::model::Model;
 use crate::scalar::{Batched, Real, Scalar, Wide};
 use std::ops::Range;
 
-/// H.
+/// H, both triangles.
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Masses<'a, T> {
+    /// In one piece.
     pub(super) layout: &'a Layout,
-    /// Which entry each number of the result is, if not all in order.
-    pub(super) places: Option<&'a [u32]>,
+    /// Which entry each number is.
+    pub(super) places: &'a [u32],
     pub(super) H: &'a mut [T],
 }
 
@@ -39,11 +40,46 @@ impl<T: Batched> Kernel<T> for Masses<'_, T> {
         _: &mut Option<(usize, Error)>,
     ) {
         let (first, lanes) = (group.start, group.len());
-        columns.update(model, self.layout, q);
-        let H = columns.entries(self.layout);
-        match (self.places, self.layout.entries) {
-            (Some(places), _) => from_places(H, places, lanes, &mut self.H[first * places.len()..]),
-            (None, n) => from_lanes(H, n, lanes, &mut self.H[first * n..]),
+        let H = columns.update(model, self.layout, q);
+        from_places(H, self.places, lanes, &mut self.H[first * self.places.len()..]);
+    }
+}
+
+/// Entries of H.
+#[doc(hidden)]
+#[allow(missing_debug_implementations)]
+pub struct Entries<'a, T> {
+    pub(super) layout: &'a Layout,
+    pub(super) entries: &'a mut [T],
+}
+
+/// Columns of a layout in pieces, where they do not last.
+pub(super) struct Passing<W: Wide>(Columns<W>);
+
+impl<T: Batched> Kernel<T> for Entries<'_, T> {
+    type Room<W: Wide<Constant = T>> = Passing<W>;
+
+    #[inline(always)]
+    fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Passing<W> {
+        Passing(Columns::new(model, self.layout))
+    }
+
+    #[inline(always)]
+    fn group<W: Wide<Constant = T>>(
+        &mut self,
+        model: &Model<T>,
+        q: &[W],
+        group: Range<usize>,
+        Passing(columns): &mut Passing<W>,
+        _: &mut Faults<W>,
+        _: &mut Option<(usize, Error)>,
+    ) {
+        let (first, lanes, n) = (group.start, group.len(), self.layout.entries());
+        let out = &mut self.entries[first * n..];
+        columns.bend(model, q);
+        for piece in &self.layout.pieces {
+            let entries = columns.piece(model, self.layout, piece, q);
+            part_from_lanes(entries, piece.first..piece.first + piece.at.len(), n, lanes, out);
         }
     }
 }

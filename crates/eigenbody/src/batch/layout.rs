@@ -1,11 +1,18 @@
-//! Where the entries of H stand in a group of configurations.
+//! Where the entries of H stand in a group of configurations, and when they leave it.
+//!
+//! Bodies come from the tips inwards, and limb by limb where they hang on the world or on a base that moves freely. What is known of some
+//! limbs stands side by side:
+//!
+//! ```text
+//! columns F on their way to the world | columns F on their way to a free base, whose S is 1: entries of H | rows of H
+//! ```
+//! Rows leave as soon as there are enough of them, the other entries with the last of them; then other limbs take the place.
 
+use super::limbs::{Places, SIX};
 use crate::model::Model;
 use crate::scalar::Real;
+use std::ops::Range;
 use std::sync::OnceLock;
-
-/// Degrees of freedom of a free root, and numbers of a column.
-pub(super) const SIX: usize = 6;
 
 /// Where the entries of H stand: made once for all calls.
 #[derive(Debug)]
@@ -19,90 +26,104 @@ pub(super) struct Layout {
     diagonal: Vec<u32>,
     /// By body.
     pub subtrees: Vec<Subtree>,
-    /// Columns in all, and how many of them stand before those that come to a free root.
-    pub columns: usize,
-    pub apart: usize,
-    /// Whether any degree of freedom has armature.
-    pub armed: bool,
-    /// How many entries there are, the zero not counted.
-    pub entries: usize,
+    /// In the order in which they are done.
+    pub pieces: Vec<Piece>,
+    /// Numbers and degrees of freedom whose armature is added to them.
+    pub armature: Vec<(u32, u32)>,
+    /// How many numbers stand side by side at most.
+    pub numbers: usize,
     square: OnceLock<Vec<u32>>,
     triangle: OnceLock<Vec<u32>>,
 }
 
 /// What stands where of a body and of all that it carries.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Subtree {
     /// The first of its columns, and how many there are; a free root itself has none.
     pub column: u32,
     pub count: u32,
-    /// Where its own rows begin.
+    /// Where its own rows begin among those of the piece.
     pub row: u32,
 }
 
+/// Entries that leave together.
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    /// Those that come to their turn with it.
+    pub bodies: Range<usize>,
+    /// Where they stand, and where columns end and rows begin.
+    pub at: Range<usize>,
+    pub rows: usize,
+    /// The first of them.
+    pub first: usize,
+    /// What is added to them.
+    pub armature: Range<usize>,
+}
+
 impl Layout {
-    pub fn new<T: Real>(model: &Model<T>) -> Self {
-        let (nv, members) = (model.nv(), &model.mechanism.members);
-        // By body: the first of its degrees of freedom in pre-order, and one more than the last that it carries.
-        let mut first = vec![0; members.len()];
-        for i in 1..members.len() {
-            first[i] = first[i - 1] + members[i - 1].joint.nv();
-        }
-        let mut end: Vec<usize> = first.iter().zip(members).map(|(&first, m)| first + m.joint.nv()).collect();
-        for (i, m) in members.iter().enumerate().rev() {
-            if let Some(p) = (m.parent as usize).checked_sub(1) {
-                end[p] = end[p].max(end[i]);
-            }
-        }
-        // Columns that come to a free root stand after all others, and are entries.
-        let roots = || members.iter().enumerate().filter(|(_, m)| m.parent == 0);
-        let apart: usize = roots().filter(|(_, m)| !m.is_free_root()).map(|(i, _)| end[i] - first[i]).sum();
-        let mut next = [0, apart];
-        let mut column = vec![0; nv];
-        let mut pairs: Vec<(u32, u32)> = Vec::new();
-        for (i, m) in roots() {
-            let free = m.is_free_root();
-            for place in first[i] + if free { SIX } else { 0 }..end[i] {
-                column[place] = next[usize::from(free)];
-                next[usize::from(free)] += 1;
-                if free {
-                    pairs.extend((first[i]..).take(SIX).map(|row| (row as u32, place as u32)));
+    /// In pieces of at least so many entries, or in one.
+    pub fn new<T: Real>(model: &Model<T>, least: usize) -> Self {
+        let (nv, places) = (model.nv(), Places::new(model));
+        let order: Vec<u32> = model.dofs().order().map(|d| d as u32).collect();
+        let (mut pairs, mut pieces): (Vec<(u32, u32)>, Vec<Piece>) = Default::default();
+        let (mut diagonal, mut armature) = (vec![0; nv], Vec::new());
+        let mut subtrees = vec![Subtree::default(); places.first.len()];
+        let entry = |(d, e): (usize, usize)| (d as u32, e as u32);
+        for limbs in places.limbs(least) {
+            let start = limbs.last().map_or(0, |last| last.start);
+            let bodies = start..limbs.first().map_or(0, |first| first.end);
+            let (apart, based): (Vec<usize>, Vec<usize>) =
+                bodies.filter(|&i| !places.free[i]).partition(|&i| places.base[i].is_none());
+            let mut column = vec![0; places.first.len()];
+            let (mut columns, mut to_world) = (0, 0);
+            for bodies in [&apart, &based] {
+                to_world = columns;
+                for &i in bodies {
+                    column[i] = columns;
+                    columns += places.own(i).len();
                 }
             }
-        }
-        let columns = next[1];
-        let mut diagonal = Vec::with_capacity(nv);
-        let mut subtrees = Vec::with_capacity(members.len());
-        for (i, m) in members.iter().enumerate() {
-            let row = pairs.len() as u32 - SIX as u32 * (columns - apart) as u32;
-            let own = first[i]..first[i] + m.joint.nv();
-            let carried = if m.is_free_root() { own.end } else { own.start };
-            for d in own.clone() {
-                if m.is_free_root() {
-                    pairs.extend((own.start..=d).map(|column| (d as u32, column as u32)));
-                    diagonal.push(pairs.len() as u32 - 1);
-                } else {
-                    diagonal.push(pairs.len() as u32);
-                    pairs.extend((d..end[i]).map(|column| (d as u32, column as u32)));
+            for bodies in limbs {
+                let (first, armed) = (pairs.len(), armature.len());
+                let rows = SIX * columns;
+                let mut from = rows;
+                if bodies.start == start {
+                    from = SIX * to_world;
+                    pairs.extend(based.iter().flat_map(|&i| places.of_base(i)).map(entry));
                 }
+                for i in bodies.clone().rev() {
+                    subtrees[i] = Subtree {
+                        column: column[i] as u32,
+                        count: if places.free[i] { 0 } else { places.end[i] - places.first[i] } as u32,
+                        row: (from + pairs.len() - first - rows) as u32,
+                    };
+                    pairs.extend(places.rows(i).map(entry));
+                }
+                for (k, &(d, _)) in pairs.iter().enumerate().skip(first).filter(|(_, (d, e))| d == e) {
+                    let dof = order[d as usize];
+                    diagonal[d as usize] = k as u32;
+                    if model.armature[dof as usize] != T::ZERO {
+                        armature.push(((from + k - first) as u32, dof));
+                    }
+                }
+                let (at, armature) = (from..from + pairs.len() - first, armed..armature.len());
+                pieces.push(Piece { bodies, at, rows, first, armature });
             }
-            subtrees.push(Subtree {
-                column: column.get(carried).copied().unwrap_or(0) as u32,
-                count: (end[i] - carried) as u32,
-                row,
-            });
         }
-        let order = model.dofs().order().map(|d| d as u32).collect();
-        let entries = pairs.len();
-        let armed = model.armature.iter().any(|&a| a != T::ZERO);
+        let numbers = pieces.iter().map(|piece| piece.at.end).max().unwrap_or(0);
         let (square, triangle) = Default::default();
-        Self { nv, order, pairs, diagonal, subtrees, columns, apart, armed, entries, square, triangle }
+        Self { nv, order, pairs, diagonal, subtrees, pieces, armature, numbers, square, triangle }
+    }
+
+    /// How many entries there are.
+    pub fn entries(&self) -> usize {
+        self.pairs.len()
     }
 
     /// nv × nv: which entry stands there. The one after the last is zero.
     pub fn square(&self) -> &[u32] {
         self.square.get_or_init(|| {
-            let mut places = vec![self.entries as u32; self.nv * self.nv];
+            let mut places = vec![self.entries() as u32; self.nv * self.nv];
             for (entry, (d, e)) in (0..).zip(self.pairs()) {
                 places[d * self.nv + e] = entry;
                 places[e * self.nv + d] = entry;
@@ -114,7 +135,7 @@ impl Layout {
     /// The lower triangle by rows, degrees of freedom in pre-order: which entry stands there. The one after the last is zero.
     pub fn triangle(&self) -> &[u32] {
         self.triangle.get_or_init(|| {
-            let mut places = vec![self.entries as u32; self.nv * (self.nv + 1) / 2];
+            let mut places = vec![self.entries() as u32; self.nv * (self.nv + 1) / 2];
             for (entry, &(row, column)) in (0..).zip(&self.pairs) {
                 let (least, most) = (row.min(column) as usize, row.max(column) as usize);
                 places[most * (most + 1) / 2 + least] = entry;

@@ -6,9 +6,10 @@
 //! ```
 //! Featherstone (2008), table 6.2, all columns of a subtree at once: what is known of a joint is looked at once for all of them. H is kept
 //! by rows of the upper triangle that hold the subtree of their degree of freedom and nothing else; and those of a free root, whose S is
-//! 1, are the columns F that have come to it. Whole rows of the caller's matrices come of it at last, or it is used as it is.
+//! 1, are the columns F that have come to it. What is done can leave piece by piece ([`Layout`]).
 
-use super::layout::{Layout, SIX};
+use super::layout::{Layout, Piece};
+use super::limbs::SIX;
 use crate::dynamics::{Posture, position, slide};
 use crate::model::{Member, Model, MotionKind, with_turn, with_twist};
 use crate::scalar::Wide;
@@ -28,29 +29,40 @@ impl<W: Wide> Columns<W> {
         Self {
             posture: Posture::new(&model.mechanism),
             Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
-            numbers: vec![W::ZERO; SIX * layout.apart + (layout.entries + 1).max(W::WIDTH)],
+            numbers: vec![W::ZERO; layout.numbers + W::WIDTH],
         }
     }
 
-    /// The entries, and a zero.
+    /// All entries of H at q and a zero, of a layout of one piece.
     #[inline(always)]
-    pub fn entries(&self, layout: &Layout) -> &[W] {
-        &self.numbers[SIX * layout.apart..]
+    pub fn update(&mut self, model: &Model<W::Constant>, layout: &Layout, q: &[W]) -> &[W] {
+        self.bend(model, q);
+        match layout.pieces.first() {
+            Some(all) => self.piece(model, layout, all, q),
+            None => &self.numbers,
+        }
     }
 
-    /// H at q.
+    /// To q.
     #[inline(always)]
-    pub fn update(&mut self, model: &Model<W::Constant>, layout: &Layout, q: &[W]) {
+    pub fn bend(&mut self, model: &Model<W::Constant>, q: &[W]) {
+        self.posture.update_shape::<W>(&model.mechanism, q);
+    }
+
+    /// Entries of H where it has been bent to, all pieces before them done.
+    #[inline(always)]
+    pub fn piece(&mut self, model: &Model<W::Constant>, layout: &Layout, piece: &Piece, q: &[W]) -> &[W] {
         let Self { posture, Ic, numbers } = self;
-        posture.update_shape::<W>(&model.mechanism, q);
-        let members = model.mechanism.members.as_slice();
-        let (sin, cos) = (&posture.sin[..members.len()], &posture.cos[..members.len()]);
+        let bodies = piece.bodies.clone();
+        let (members, subtrees) =
+            (&model.mechanism.members[bodies.clone()], &layout.subtrees[bodies.clone()]);
+        let (sin, cos) = (&posture.sin[bodies.clone()], &posture.cos[bodies.clone()]);
         let Ic = &mut Ic[..model.mechanism.depth + 1];
-        let (columns, rows) = numbers.split_at_mut(SIX * layout.columns);
+        let (columns, rows) = numbers.split_at_mut(piece.rows);
         let (columns, _) = columns.as_chunks_mut::<SIX>();
         // What the body just done hands down, if it is the only one on the next.
         let mut carried = PseudoInertia::ZERO;
-        for (i, (m, subtree)) in members.iter().zip(&layout.subtrees).enumerate().rev() {
+        for (k, (m, subtree)) in members.iter().zip(subtrees).enumerate().rev() {
             let mut Ic_i = m.I.map(W::constant);
             if m.place.branches {
                 Ic_i += Ic[m.level as usize];
@@ -71,7 +83,7 @@ impl<W: Wide> Columns<W> {
                         }
                         continue;
                     }
-                    let (turn, r) = ((sin[i], cos[i]), position::<W>(m));
+                    let (turn, r) = ((sin[k], cos[k]), position::<W>(m));
                     with_twist!(m, C: W => {
                         let X = Placed { E: ThenZ { turn, first: C }, r };
                         columns[0] = X.transpose_force(F_i).to_array();
@@ -107,7 +119,7 @@ impl<W: Wide> Columns<W> {
                     if m.parent == 0 {
                         continue;
                     }
-                    inwards(posture.placed::<W>(i), columns, Ic_i)
+                    inwards(posture.placed::<W>(bodies.start + k), columns, Ic_i)
                 }
             };
             if m.place.alone() {
@@ -120,12 +132,10 @@ impl<W: Wide> Columns<W> {
             }
             *sum = up;
         }
-        if layout.armed {
-            let H = &mut numbers[SIX * layout.apart..];
-            for (place, d) in layout.order().enumerate() {
-                H[layout.diagonal(place)] += W::constant(model.armature[d]);
-            }
+        for &(at, d) in &layout.armature[piece.armature.clone()] {
+            numbers[at as usize] += W::constant(model.armature[d as usize]);
         }
+        &numbers[piece.at.start..]
     }
 }
 

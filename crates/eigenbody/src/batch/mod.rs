@@ -11,6 +11,7 @@
 mod ends;
 mod kernels;
 mod layout;
+mod limbs;
 mod mass;
 mod share;
 mod turn;
@@ -22,7 +23,7 @@ use crate::model::{Model, check};
 use crate::scalar::{Batched, MOST_LANES, Unit};
 use crate::spectrum::Metric;
 use ends::Spectra;
-use kernels::{Forward, Inverse, Masses};
+use kernels::{Entries, Forward, Inverse, Masses};
 use layout::Layout;
 use rayon::prelude::*;
 use share::{Faults, Found, Kernel, Over, Part, Rooms, part, rows, rows_mut};
@@ -30,6 +31,8 @@ use std::sync::{Mutex, OnceLock};
 
 /// Configurations of the widest group: parts are multiples of it.
 const GROUP: usize = MOST_LANES;
+/// Entries of H that are worth being written on their own.
+const PIECE: usize = 32;
 
 /// What went wrong, and where.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -65,7 +68,8 @@ pub enum BatchError {
 pub struct Batch<'m, T> {
     model: &'m Model<T>,
     unit: Unit,
-    layout: OnceLock<Layout>,
+    whole: OnceLock<Layout>,
+    pieces: OnceLock<Layout>,
     rooms: Rooms,
 }
 
@@ -129,7 +133,7 @@ impl Batch<'_, f64> {
         model.check_dense().map_err(BatchError::Shape)?;
         let ones = vec![1.0; model.nv()];
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
-        let (size, weights, layout) = (part(values.len()), weights.as_slice(), self.layout());
+        let (size, weights, layout) = (part(values.len()), weights.as_slice(), self.whole());
         let units: Vec<f64> = layout.order().map(|d| 1.0 / weights[d].sqrt()).collect();
         let units = units.as_slice();
         let outs = values.chunks_mut(size).zip(rows(q, size, model.nq()));
@@ -143,7 +147,13 @@ impl Batch<'_, f64> {
 impl<'m, T: Lanes> Batch<'m, T> {
     /// On the widest unit of this processor.
     pub fn new(model: &'m Model<T>) -> Self {
-        Self { model, unit: Unit::widest(), layout: OnceLock::new(), rooms: Rooms::default() }
+        Self {
+            model,
+            unit: Unit::widest(),
+            whole: OnceLock::new(),
+            pieces: OnceLock::new(),
+            rooms: Rooms::default(),
+        }
     }
 
     /// On no wider a unit than this: for comparisons.
@@ -162,13 +172,19 @@ impl<'m, T: Lanes> Batch<'m, T> {
     ///
     /// Errors: [`BatchError`]; `H` then holds no result.
     pub fn mass_matrices(&self, q: &[T], H: &mut [T]) -> Result<(), BatchError> {
-        self.masses("H", q, Some(Layout::square), H)
+        self.model.check_dense().map_err(BatchError::Shape)?;
+        let (layout, size) = (self.whole(), part(self.count(q)?));
+        let places = layout.square();
+        length("H", H.len(), self.count(q)? * places.len())?;
+        let kernels = rows_mut(H, size, places.len()).map(|H| Masses { layout, places, H });
+        let found = self.share(size, q, kernels, T::masses);
+        self.check(found, q, &[])
     }
 
     /// The entries (d, e) of H that [`mass_matrix_entries`](Self::mass_matrix_entries) gives, in its order: e on the path from the root to
     /// d, or d itself. All others are zero, or mirror these.
     pub fn entries(&self) -> Vec<(usize, usize)> {
-        self.layout().pairs()
+        self.pieces().pairs()
     }
 
     /// H(q) of every configuration, but for zeros between branches and the other triangle.
@@ -194,7 +210,12 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn mass_matrix_entries(&self, q: &[T], entries: &mut [T]) -> Result<(), BatchError> {
-        self.masses("entries", q, None, entries)
+        self.model.check_dense().map_err(BatchError::Shape)?;
+        let (layout, size) = (self.pieces(), part(self.count(q)?));
+        length("entries", entries.len(), self.count(q)? * layout.entries())?;
+        let kernels = rows_mut(entries, size, layout.entries()).map(|entries| Entries { layout, entries });
+        let found = self.share(size, q, kernels, T::entries);
+        self.check(found, q, &[])
     }
 
     /// τ = H(q) v̇ + C(q, v) of every state.
@@ -243,27 +264,14 @@ impl<'m, T: Lanes> Batch<'m, T> {
         self.check(found, q, &[("v", v), ("tau", tau)])
     }
 
-    /// The entries at these places, or all of them.
-    fn masses(
-        &self,
-        what: &'static str,
-        q: &[T],
-        places: Option<fn(&Layout) -> &[u32]>,
-        H: &mut [T],
-    ) -> Result<(), BatchError> {
-        self.model.check_dense().map_err(BatchError::Shape)?;
-        let layout = self.layout();
-        let places = places.map(|of| of(layout));
-        let (count, numbers) = (self.count(q)?, places.map_or(layout.entries, <[u32]>::len));
-        length(what, H.len(), count * numbers)?;
-        let size = part(count);
-        let kernels = rows_mut(H, size, numbers).map(|H| Masses { layout, places, H });
-        let found = self.share(size, q, kernels, T::masses);
-        self.check(found, q, &[])
+    /// All entries of H together.
+    fn whole(&self) -> &Layout {
+        self.whole.get_or_init(|| Layout::new(self.model, usize::MAX))
     }
 
-    fn layout(&self) -> &Layout {
-        self.layout.get_or_init(|| Layout::new(self.model))
+    /// H in pieces.
+    fn pieces(&self) -> &Layout {
+        self.pieces.get_or_init(|| Layout::new(self.model, PIECE))
     }
 
     /// Number of configurations in `q`.
@@ -335,6 +343,8 @@ pub trait Lanes: Batched {
     #[doc(hidden)]
     fn masses(unit: Unit, over: Over<'_, Self, Masses<'_, Self>>) -> Found;
     #[doc(hidden)]
+    fn entries(unit: Unit, over: Over<'_, Self, Entries<'_, Self>>) -> Found;
+    #[doc(hidden)]
     fn inverse(unit: Unit, over: Over<'_, Self, Inverse<'_, Self>>) -> Found;
     #[doc(hidden)]
     fn forward(unit: Unit, over: Over<'_, Self, Forward<'_, Self>>) -> Found;
@@ -344,6 +354,9 @@ macro_rules! lanes {
     ($T:ident) => {
         impl Lanes for $T {
             fn masses(unit: Unit, over: Over<'_, Self, Masses<'_, Self>>) -> Found {
+                Self::dispatch_wide(unit, over)
+            }
+            fn entries(unit: Unit, over: Over<'_, Self, Entries<'_, Self>>) -> Found {
                 Self::dispatch_wide(unit, over)
             }
             fn inverse(unit: Unit, over: Over<'_, Self, Inverse<'_, Self>>) -> Found {

@@ -1,6 +1,7 @@
 //! Rows of numbers into lanes and back: row l of a group is lane l.
 
 use crate::scalar::{MOST_LANES, Scalar, Wide};
+use std::ops::Range;
 
 /// Numbers that are turned at once.
 const BLOCK: usize = 4;
@@ -36,12 +37,24 @@ pub(super) fn into_lanes<W: Wide>(x: &[W::Constant], n: usize, lanes: usize, out
 /// Lanes into rows of `n` numbers: number j of row l is lane l of `x[j]`, `x` from [`room`].
 #[inline(always)]
 pub(super) fn from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W::Constant]) {
-    if lanes < W::WIDTH || W::WIDTH < BLOCK {
-        few_from_lanes(x, n, lanes, out);
-    } else if n < W::WIDTH {
+    part_from_lanes(x, 0..n, n, lanes, out);
+}
+
+/// Some numbers of rows of `n`: number j of `part` and of row l is lane l of `x[j]`.
+#[inline(always)]
+pub(super) fn part_from_lanes<W: Wide>(
+    x: &[W],
+    part: Range<usize>,
+    n: usize,
+    lanes: usize,
+    out: &mut [W::Constant],
+) {
+    if lanes == W::WIDTH && W::WIDTH >= BLOCK && part.len() >= W::WIDTH {
+        blocks_from_lanes(&x[..part.len()], part, n, out);
+    } else if lanes == W::WIDTH && W::WIDTH >= BLOCK && part.len() == n {
         short_from_lanes(x, n, out);
     } else {
-        blocks_from_lanes(&x[..n], n, out);
+        few_from_lanes(x, part, n, lanes, out);
     }
 }
 
@@ -51,7 +64,7 @@ pub(super) fn from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &
     if lanes < W::WIDTH || W::WIDTH < BLOCK || places.len() < W::WIDTH {
         few_from_places(x, places, lanes, out);
     } else {
-        blocks_from_lanes(Chosen(x, places), places.len(), out);
+        blocks_from_lanes(Chosen(x, places), 0..places.len(), places.len(), out);
     }
 }
 
@@ -82,18 +95,20 @@ impl<W: Wide> Values<W> for Chosen<'_, W> {
     }
 }
 
-/// Rows of `n` numbers, each a register at a time.
+/// Some numbers of rows of `n`, a register at a time.
 #[inline(always)]
-fn blocks_from_lanes<W: Wide>(x: impl Values<W>, n: usize, out: &mut [W::Constant]) {
+fn blocks_from_lanes<W: Wide>(x: impl Values<W>, part: Range<usize>, n: usize, out: &mut [W::Constant]) {
     let mut rows: [&mut [W::Constant]; MOST_LANES] = Default::default();
-    let mut rest = out;
-    for row in &mut rows[..W::WIDTH] {
-        (*row, rest) = rest.split_at_mut(n);
+    let (mut rest, count) = (&mut out[part.start..], part.len());
+    for row in &mut rows[..W::WIDTH - 1] {
+        let (whole, others) = rest.split_at_mut(n);
+        (*row, rest) = (&mut whole[..count], others);
     }
+    rows[W::WIDTH - 1] = &mut rest[..count];
     let (mut room, mut first) = ([W::ZERO; MOST_LANES], 0);
-    while first < n {
+    while first < count {
         // The last block may meet the one before it.
-        let at = first.min(n - W::WIDTH);
+        let at = first.min(count - W::WIDTH);
         let values = x.block(at, &mut room);
         for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
             for (row, x) in rows.iter_mut().zip(turned(values, BLOCK * quarter)) {
@@ -109,7 +124,7 @@ fn blocks_from_lanes<W: Wide>(x: impl Values<W>, n: usize, out: &mut [W::Constan
 #[inline(always)]
 fn short_from_lanes<W: Wide>(x: &[W], n: usize, out: &mut [W::Constant]) {
     if out.len() < (W::WIDTH - 1) * n + W::WIDTH {
-        return few_from_lanes(x, n, W::WIDTH, out);
+        return few_from_lanes(x, 0..n, n, W::WIDTH, out);
     }
     let mut rest = out;
     for quarter in 0..W::WIDTH / BLOCK {
@@ -144,8 +159,8 @@ fn few_into_lanes<W: Wide>(x: &[W::Constant], n: usize, lanes: usize, out: &mut 
 
 #[cold]
 #[inline(never)]
-fn few_from_lanes<W: Wide>(x: &[W], n: usize, lanes: usize, out: &mut [W::Constant]) {
-    for (j, x) in x[..n].iter().enumerate() {
+fn few_from_lanes<W: Wide>(x: &[W], part: Range<usize>, n: usize, lanes: usize, out: &mut [W::Constant]) {
+    for (j, x) in part.zip(x) {
         let mut numbers = [W::Constant::ZERO; MOST_LANES];
         x.to_slice(&mut numbers);
         for (lane, &number) in numbers[..lanes].iter().enumerate() {

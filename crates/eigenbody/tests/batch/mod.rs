@@ -1,12 +1,12 @@
 //! Batches against one configuration at a time.
 
-use crate::robots::{cases, configuration, numbers};
+use crate::robots::{Case, cases, configuration, numbers, tree};
 use eigenbody::batch::{Batch, BatchError, Lanes};
 use eigenbody::conditioning::Values;
 use eigenbody::dynamics::plain;
 use eigenbody::scalar::{Real, Unit};
 use eigenbody::spectrum::{eigenvalues, extreme_eigenvalues};
-use eigenbody::{Error, Family, InputError, Metric, Model, mass_matrix};
+use eigenbody::{Base, Error, Family, InputError, Metric, Model, mass_matrix};
 
 const UNITS: [Unit; 3] = [Unit::Plain, Unit::Avx2, Unit::Avx512];
 /// No multiple of any number of lanes, and more than a chunk.
@@ -81,35 +81,66 @@ fn double() {
     lanes_are_configurations::<f64>();
 }
 
+/// Trees of large and small limbs, whose entries are done one limb after the other.
+fn limbs<T: Real>() -> Vec<Case<T>> {
+    let chain = |on: usize, from: usize, n: usize| {
+        let mut chain: Vec<usize> = (from..from + n).collect();
+        chain[0] = on;
+        chain
+    };
+    // Two legs of six, three joints of a waist, on it two arms of seven and a neck of two.
+    let humanoid = [(0, 0, 6), (0, 6, 6), (0, 12, 3), (15, 15, 7), (15, 22, 7), (15, 29, 2)];
+    let humanoid = humanoid.map(|(on, from, n)| chain(on, from, n)).concat();
+    let hand: Vec<usize> = [vec![0, 1, 2], [0; 5].map(|_| 3).to_vec(), (4..=18).collect()].concat();
+    let wheels = vec![0; 40];
+    let beside = [chain(0, 0, 20), vec![0], chain(0, 21, 9), vec![0; 3]].concat();
+    let trees = [("humanoid", humanoid), ("hand", hand), ("wheels", wheels), ("beside", beside)];
+    let mut cases = Vec::new();
+    for (name, parents) in &trees {
+        for (seed, base) in [(1, Base::Fixed), (2, Base::Floating), (3, Base::Floating)] {
+            cases.push(Case::new(format!("{name} {seed}"), tree(seed, parents).build(base), seed));
+        }
+    }
+    cases
+}
+
 /// The entries and their mirror images make up H, and nothing else in it differs from zero.
-#[test]
-fn entries_make_up_the_matrix() {
-    for case in cases::<f64>(14) {
-        let (model, name) = (case.model, case.name);
+fn entries_make_up_the_matrix<T: Lanes>() {
+    for Case { model, name, .. } in cases::<T>(14).into_iter().chain(limbs()) {
         let States { q, .. } = states(&model);
         let nv = model.nv();
+        let order: Vec<usize> = model.dofs().order().collect();
+        let place = |d: usize| order.iter().position(|&other| other == d);
         for unit in UNITS {
             let batch = Batch::new(&model).on(unit);
             let pairs = batch.entries();
-            let order: Vec<usize> = model.dofs().order().collect();
-            let place = |d: usize| order.iter().position(|&other| other == d);
-            assert!(
-                pairs.iter().all(|&(d, e)| place(e) <= place(d)),
-                "{name}: the one further in comes last"
-            );
-            let (mut H, mut entries) = (vec![1.0; COUNT * nv * nv], vec![1.0; COUNT * pairs.len()]);
+            let mut once = std::collections::BTreeSet::new();
+            for &(d, e) in &pairs {
+                assert!(place(e) <= place(d), "{name}: the one further in comes last");
+                assert!(once.insert((d, e)), "{name}: ({d}, {e}) stands twice");
+            }
+            let (mut H, mut entries) = (vec![T::ONE; COUNT * nv * nv], vec![T::ONE; COUNT * pairs.len()]);
             batch.mass_matrices(&q, &mut H).unwrap();
             batch.mass_matrix_entries(&q, &mut entries).unwrap();
             for (k, H) in H.chunks_exact(nv * nv).enumerate() {
-                let mut made = vec![0.0; nv * nv];
+                let mut made = vec![T::ZERO; nv * nv];
                 for (&(d, e), &H_de) in pairs.iter().zip(&entries[k * pairs.len()..]) {
-                    assert_eq!(made[d * nv + e], 0.0, "{name}: ({d}, {e}) stands twice");
                     (made[d * nv + e], made[e * nv + d]) = (H_de, H_de);
                 }
                 assert_eq!(H, made, "{k}, {unit:?}, {name}");
             }
         }
     }
+}
+
+#[test]
+fn single_entries() {
+    entries_make_up_the_matrix::<f32>();
+}
+
+#[test]
+fn double_entries() {
+    entries_make_up_the_matrix::<f64>();
 }
 
 /// A number that is not finite is found wherever it stands, whatever unit looks for it.
@@ -248,7 +279,9 @@ fn numbers_do_not_depend_on_calls_before() {
     let nv = model.nv();
     let weights = Metric::Diagonal((1..=nv).map(|d| d as f64).collect());
     type Call<'a> = &'a dyn Fn(&Batch<'_, f64>, &[f64], &[f64], &mut [f64]) -> Result<(), BatchError>;
-    let calls: [(&str, usize, Call<'_>); 6] = [
+    let entries = Batch::new(&model).entries().len();
+    let calls: [(&str, usize, Call<'_>); 7] = [
+        ("entries", entries, &|batch, q, _, out| batch.mass_matrix_entries(q, out)),
         ("H", nv * nv, &|batch, q, _, out| batch.mass_matrices(q, out)),
         ("τ", nv, &|batch, q, x, out| batch.inverse_dynamics(q, x, x, out)),
         ("v̇", nv, &|batch, q, x, out| batch.forward_dynamics(q, x, x, out)),
