@@ -53,16 +53,17 @@ impl<W: Wide> Columns<W> {
     #[inline(always)]
     pub fn piece(&mut self, model: &Model<W::Constant>, layout: &Layout, piece: &Piece, q: &[W]) -> &[W] {
         let Self { posture, Ic, numbers } = self;
-        let bodies = piece.bodies.clone();
-        let (members, subtrees) =
-            (&model.mechanism.members[bodies.clone()], &layout.subtrees[bodies.clone()]);
-        let (sin, cos) = (&posture.sin[bodies.clone()], &posture.cos[bodies.clone()]);
+        let (start, n) = (piece.bodies.start, piece.bodies.len());
+        let members = &model.mechanism.members[start..][..n];
+        let subtrees = &layout.subtrees[start..][..n];
+        let (sin, cos) = (&posture.sin[start..][..n], &posture.cos[start..][..n]);
         let Ic = &mut Ic[..model.mechanism.depth + 1];
         let (columns, rows) = numbers.split_at_mut(piece.rows);
         let (columns, _) = columns.as_chunks_mut::<SIX>();
         // What the body just done hands down, if it is the only one on the next.
         let mut carried = PseudoInertia::ZERO;
-        for (k, (m, subtree)) in members.iter().zip(subtrees).enumerate().rev() {
+        for k in (0..n).rev() {
+            let (m, subtree) = (&members[k], &subtrees[k]);
             let mut Ic_i = m.I.map(W::constant);
             if m.place.branches {
                 Ic_i += Ic[m.level as usize];
@@ -119,7 +120,7 @@ impl<W: Wide> Columns<W> {
                     if m.parent == 0 {
                         continue;
                     }
-                    inwards(posture.placed::<W>(bodies.start + k), columns, Ic_i)
+                    inwards(posture.placed::<W>(start + k), columns, Ic_i)
                 }
             };
             if m.place.alone() {
