@@ -246,6 +246,7 @@ impl Scalar for Dd {
     only_itself!();
     const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    const FUSED: bool = false;
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }

@@ -14,6 +14,7 @@ macro_rules! float {
             only_itself!();
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const FUSED: bool = cfg!(target_feature = "fma");
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $T
@@ -21,7 +22,7 @@ macro_rules! float {
             /// Without the instruction a fused multiply-add is a library call: the plain form is used instead.
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if cfg!(target_feature = "fma") { $T::mul_add(self, a, b) } else { self * a + b }
+                if Self::FUSED { $T::mul_add(self, a, b) } else { self * a + b }
             }
             #[inline(always)]
             fn sqrt(self) -> Self {

@@ -92,6 +92,7 @@ macro_rules! fused {
             }
             const ZERO: Self = Self(0.0);
             const ONE: Self = Self(1.0);
+            const FUSED: bool = true;
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 Self(x as $T)

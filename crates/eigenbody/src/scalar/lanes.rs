@@ -152,6 +152,7 @@ impl<const N: usize, T: Real> Scalar for Array<N, T> {
     only_itself!();
     const ZERO: Self = Self([T::ZERO; N]);
     const ONE: Self = Self([T::ONE; N]);
+    const FUSED: bool = false;
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Self([T::from_f64(x); N])
@@ -237,6 +238,7 @@ impl<S: Scalar> Scalar for Two<S> {
     only_itself!();
     const ZERO: Self = Self(S::ZERO, S::ZERO);
     const ONE: Self = Self(S::ONE, S::ONE);
+    const FUSED: bool = S::FUSED;
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Self(S::from_f64(x), S::from_f64(x))

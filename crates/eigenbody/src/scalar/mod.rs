@@ -108,6 +108,8 @@ pub trait Scalar:
     const ONE: Self;
     /// The nearest number to `x`.
     fn from_f64(x: f64) -> Self;
+    /// Whether [`mul_add`](Self::mul_add) rounds once.
+    const FUSED: bool;
     /// self · a + b, fused where the target has the instruction.
     fn mul_add(self, a: Self, b: Self) -> Self;
     /// √self.

@@ -21,7 +21,10 @@ pub struct Trig<T: 'static> {
     two_over_pi: T,
     /// −π/2 as a sum.
     minus_half_pi: [T; 3],
-    /// Whether the last of its parts, as often as it is taken at most, is so small that only its first order counts.
+    /// The same in two parts for those who round once: what the first one leaves is a number without rounding, so that the rounding of the
+    /// second is all there is. None where two parts are not enough digits.
+    minus_half_pi_fused: Option<[T; 2]>,
+    /// Whether the last of its three parts, as often as it is taken at most, is so small that only its first order counts.
     tail_is_rounding: bool,
     /// sin x = x + x³(s₀ + s₁x² + ..), highest first.
     sin: &'static [T],
@@ -36,6 +39,7 @@ pub(super) const DOUBLE: Trig<f64> = Trig {
     integer: 6_755_399_441_055_744.0,
     two_over_pi: std::f64::consts::FRAC_2_PI,
     minus_half_pi: [-1.57079632673412561417e+00, -6.07710050630396597660e-11, -2.02226624879595063154e-21],
+    minus_half_pi_fused: None,
     tail_is_rounding: true,
     sin: &[
         1.58969099521155010221e-10,
@@ -62,6 +66,7 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     integer: 12_582_912.0,
     two_over_pi: std::f32::consts::FRAC_2_PI,
     minus_half_pi: [-1.570556640625, -0.000_239_670_276_641_845_7, -1.589_325_5e-8],
+    minus_half_pi_fused: Some([-std::f32::consts::FRAC_PI_2, 4.371_139e-8]),
     tail_is_rounding: false,
     sin: &[-1.951_529_589_1e-4, 8.332_160_873_6e-3, -1.666_665_461_1e-1],
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
@@ -92,14 +97,19 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let integer = S::constant(trig.integer);
     let shifted = x.mul_add(S::constant(trig.two_over_pi), integer);
     let n = shifted - integer;
-    let [p0, p1, p2] = trig.minus_half_pi;
-    let first = n.mul_add(S::constant(p0), x);
-    let t = n.mul_add(S::constant(p1), first);
-    // What rounding took from the sum, and the last digits of π/2.
-    let tail = n.mul_add(S::constant(p2), n.mul_add(S::constant(p1), first - t));
-    let (r, y) = match trig.tail_is_rounding {
-        true => (t, tail),
-        false => (t + tail, (t - (t + tail)) + tail),
+    let (r, y) = match trig.minus_half_pi_fused {
+        Some([p0, p1]) if S::FUSED => (n.mul_add(S::constant(p1), n.mul_add(S::constant(p0), x)), None),
+        _ => {
+            let [p0, p1, p2] = trig.minus_half_pi;
+            let first = n.mul_add(S::constant(p0), x);
+            let t = n.mul_add(S::constant(p1), first);
+            // What rounding took from the sum, and the last digits of π/2.
+            let tail = n.mul_add(S::constant(p2), n.mul_add(S::constant(p1), first - t));
+            match trig.tail_is_rounding {
+                true => (t, Some(tail)),
+                false => (t + tail, Some((t - (t + tail)) + tail)),
+            }
+        }
     };
 
     let half = S::from_f64(0.5);
@@ -109,9 +119,12 @@ fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     // sin(r + y) = sin r + y cos r,  cos(r + y) = cos r − y r
     let cube = z * r;
     let h = half * z;
-    let s = r + cube.mul_add(p, y * (S::ONE - h));
     let w = S::ONE - h;
-    let c = w + (((S::ONE - w) - h) + zz.mul_add(q, -(r * y)));
+    let lost = (S::ONE - w) - h;
+    let (s, c) = match y {
+        Some(y) => (r + cube.mul_add(p, y * w), w + (lost + zz.mul_add(q, -(r * y)))),
+        None => (cube.mul_add(p, r), w + zz.mul_add(q, lost)),
+    };
     n.quarters(shifted, s, c)
 }
 

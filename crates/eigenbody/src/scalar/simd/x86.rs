@@ -104,6 +104,7 @@ macro_rules! register {
             only_itself!();
             const ZERO: Self = Self::all(0.0);
             const ONE: Self = Self::all(1.0);
+            const FUSED: bool = true;
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 Self::constant(x as $T)
