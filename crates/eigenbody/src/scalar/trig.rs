@@ -1,7 +1,7 @@
 //! Sine and cosine of many angles, without a branch for any of them.
 //!
 //! ```text
-//! n = round(x · 2/π)      r + y = x − n π/2        π/2 in three parts, of which n times the first two is exact
+//! n = round(x · 2/π)      r + y = x − n π/2        π/2 in three parts, of which n times the first two is exact; fused, in f32: two
 //! s = sin(r + y), c = cos(r + y)                    polynomials on |r| ≤ π/4
 //! turned by n mod 4:  n even: (s, c), odd: (c, −s);  n mod 4 in {2, 3}: both negated
 //! ```
