@@ -1,9 +1,13 @@
 //! Running other programs from the root of the repository.
 
+use std::collections::VecDeque;
 use std::ffi::{OsStr, OsString};
-use std::io::ErrorKind;
+use std::io::{self, BufRead, BufReader, ErrorKind, IsTerminal, PipeReader, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
 
 use crate::Outcome;
 
@@ -33,12 +37,52 @@ pub fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
+/// How many of a failed program's last lines its error repeats.
+const LAST: usize = 60;
+
 /// Runs `command` to its end; its output is the user's to see.
+///
+/// In a log the error repeats the output's end: a summary can then say why a step failed that is far above it.
 pub fn run(command: &mut Command) -> Outcome {
     let line = line(command);
     println!("$ {line}");
-    let status = command.status().map_err(|error| not_started(command, &error))?;
-    if status.success() { Ok(()) } else { Err(format!("`{line}` failed ({status})")) }
+    let terminal = io::stdout().is_terminal();
+    let ended =
+        if terminal { command.status().map(|status| (status, String::new())) } else { relayed(command) };
+    let (status, last) = ended.map_err(|error| not_started(command, &error))?;
+    if status.success() { Ok(()) } else { Err(format!("`{line}` failed ({status}){last}")) }
+}
+
+/// Runs `command`, passes on what it writes, and returns the last lines of it, each on a line of its own.
+fn relayed(command: &mut Command) -> io::Result<(ExitStatus, String)> {
+    let (reader, writer) = io::pipe()?;
+    let spawned = command.stdout(writer.try_clone()?).stderr(writer).spawn();
+    // The command's own ends of the pipe go, so that it closes with the program.
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = spawned?;
+    let (done, end) = mpsc::channel();
+    thread::spawn(move || done.send(passed_on(reader)));
+    let status = child.wait()?;
+    // A process left behind may hold the pipe open.
+    let last = end.recv_timeout(Duration::from_secs(5)).unwrap_or_default();
+    Ok((status, last.into_iter().flat_map(|line| ["\n  ".to_string(), line]).collect()))
+}
+
+/// Copies `reader` to stdout; the last lines of it.
+fn passed_on(reader: PipeReader) -> VecDeque<String> {
+    let mut reader = BufReader::new(reader);
+    let mut last = VecDeque::with_capacity(LAST);
+    let mut line = Vec::new();
+    while reader.read_until(b'\n', &mut line).is_ok_and(|length| length > 0) {
+        // A log that cannot be written is no fault of the program's.
+        let _ = io::stdout().write_all(&line);
+        if last.len() == LAST {
+            last.pop_front();
+        }
+        last.push_back(String::from_utf8_lossy(&line).trim_end().to_string());
+        line.clear();
+    }
+    last
 }
 
 /// What `command` writes to stdout. What it writes to stderr becomes the error's text.
@@ -107,6 +151,23 @@ mod tests {
     fn a_missing_program_is_named() {
         let message = run(&mut program("no-such-program")).unwrap_err();
         assert_eq!(message, "`no-such-program` is not installed or not on the path");
+    }
+
+    #[test]
+    fn the_end_of_a_log_is_repeated() {
+        let script = "for k in $(seq 100); do echo $k; done; echo why >&2; exit 3";
+        let (status, last) = relayed(program("sh").args(["-c", script])).unwrap();
+        assert_eq!(status.code(), Some(3));
+        let lines: Vec<&str> = last.lines().collect();
+        assert_eq!((lines.len(), lines[1], lines[LAST]), (LAST + 1, "  42", "  why"));
+    }
+
+    #[test]
+    fn a_process_left_behind_is_not_waited_for() {
+        let start = std::time::Instant::now();
+        let (status, last) = relayed(program("sh").args(["-c", "sleep 60 & exit 1"])).unwrap();
+        assert_eq!((status.code(), last.as_str()), (Some(1), ""));
+        assert!(start.elapsed() < Duration::from_secs(30));
     }
 
     #[test]

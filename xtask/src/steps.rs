@@ -25,11 +25,16 @@ struct Row {
     name: &'static str,
     time: Duration,
     verdict: Verdict,
+    /// What a failed step says.
+    message: String,
 }
 
 /// Runs every step, also after a failure, so that one run tells everything. A step whose need failed is skipped.
 pub fn run<'a>(steps: impl IntoIterator<Item = &'a Step>) -> Outcome {
     let rows = rows(steps);
+    for Row { name, message, .. } in rows.iter().filter(|row| row.verdict == Verdict::Failed) {
+        println!("\n== {name} failed: {message}");
+    }
     println!("\n{}", table(&rows));
     let names = |verdict| -> Vec<&str> {
         rows.iter().filter(|row| row.verdict == verdict).map(|row| row.name).collect()
@@ -46,27 +51,27 @@ fn rows<'a>(steps: impl IntoIterator<Item = &'a Step>) -> Vec<Row> {
             .needs
             .filter(|need| rows.iter().any(|row| row.name == *need && row.verdict != Verdict::Passed));
         let start = Instant::now();
-        let verdict = match unmet {
+        let (verdict, message) = match unmet {
             Some(need) => {
                 println!("skipped: needs {need}");
-                Verdict::Skipped
+                (Verdict::Skipped, String::new())
             }
             None => match (step.run)() {
-                Ok(()) => Verdict::Passed,
+                Ok(()) => (Verdict::Passed, String::new()),
                 Err(message) => {
-                    eprintln!("error: {}: {message}", step.name);
-                    Verdict::Failed
+                    eprintln!("error: {}: {}", step.name, message.lines().next().unwrap_or_default());
+                    (Verdict::Failed, message)
                 }
             },
         };
-        rows.push(Row { name: step.name, time: start.elapsed(), verdict });
+        rows.push(Row { name: step.name, time: start.elapsed(), verdict, message });
     }
     rows
 }
 
 fn table(rows: &[Row]) -> String {
     let mut text = format!("{:<12} {:>8}  verdict", "step", "seconds");
-    for Row { name, time, verdict } in rows {
+    for Row { name, time, verdict, .. } in rows {
         let verdict = match verdict {
             Verdict::Passed => "passed",
             Verdict::Failed => "FAILED",
@@ -102,9 +107,10 @@ mod tests {
 
     #[test]
     fn the_table_is_aligned() {
+        let row = |name, time, verdict| Row { name, time, verdict, message: String::new() };
         let rows = [
-            Row { name: "test", time: Duration::from_millis(61_250), verdict: Verdict::Passed },
-            Row { name: "conformance", time: Duration::ZERO, verdict: Verdict::Skipped },
+            row("test", Duration::from_millis(61_250), Verdict::Passed),
+            row("conformance", Duration::ZERO, Verdict::Skipped),
         ];
         let expected = "\
 step          seconds  verdict
