@@ -48,6 +48,12 @@ impl Spectra<'_> {
 impl Kernel<f64> for Spectra<'_> {
     type Room<W: Wide<Constant = f64>> = Room<W>;
 
+    fn split_at(self, model: &Model<f64>, count: usize) -> (Self, Self) {
+        let (q, others) = self.q.split_at(count * model.nq());
+        let (out, rest) = self.out.split_at_mut(count);
+        (Self { q, out, ..self }, Self { q: others, out: rest, ..self })
+    }
+
     #[inline(always)]
     fn room<W: Wide<Constant = f64>>(&self, model: &Model<f64>) -> Room<W> {
         let nv = model.nv();

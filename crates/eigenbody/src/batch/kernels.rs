@@ -24,6 +24,11 @@ pub struct Masses<'a, T> {
 impl<T: Batched> Kernel<T> for Masses<'_, T> {
     type Room<W: Wide<Constant = T>> = Columns<W>;
 
+    fn split_at(self, _: &Model<T>, count: usize) -> (Self, Self) {
+        let (H, others) = self.H.split_at_mut(count * self.places.len());
+        (Self { H, ..self }, Self { H: others, ..self })
+    }
+
     #[inline(always)]
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Columns<W> {
         Columns::new(model, self.layout)
@@ -58,6 +63,11 @@ pub(super) struct Passing<W: Wide>(Columns<W>);
 
 impl<T: Batched> Kernel<T> for Entries<'_, T> {
     type Room<W: Wide<Constant = T>> = Passing<W>;
+
+    fn split_at(self, _: &Model<T>, count: usize) -> (Self, Self) {
+        let (entries, others) = self.entries.split_at_mut(count * self.layout.entries());
+        (Self { entries, ..self }, Self { entries: others, ..self })
+    }
 
     #[inline(always)]
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Passing<W> {
@@ -111,6 +121,13 @@ impl<K, W: Wide> Room<K, W> {
 impl<T: Batched> Kernel<T> for Inverse<'_, T> {
     type Room<W: Wide<Constant = T>> = Room<RneaWorkspace<W>, W>;
 
+    fn split_at(self, model: &Model<T>, count: usize) -> (Self, Self) {
+        let at = count * model.nv();
+        let ((v, vs), (vdot, vdots), (tau, taus)) =
+            (self.v.split_at(at), self.vdot.split_at(at), self.tau.split_at_mut(at));
+        (Self { v, vdot, tau }, Self { v: vs, vdot: vdots, tau: taus })
+    }
+
     #[inline(always)]
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W> {
         Room::new(RneaWorkspace::new(model), model.nv())
@@ -147,6 +164,13 @@ pub struct Forward<'a, T> {
 
 impl<T: Batched> Kernel<T> for Forward<'_, T> {
     type Room<W: Wide<Constant = T>> = Room<AbaWorkspace<W>, W>;
+
+    fn split_at(self, model: &Model<T>, count: usize) -> (Self, Self) {
+        let at = count * model.nv();
+        let ((v, vs), (tau, taus), (vdot, vdots)) =
+            (self.v.split_at(at), self.tau.split_at(at), self.vdot.split_at_mut(at));
+        (Self { v, tau, vdot }, Self { v: vs, tau: taus, vdot: vdots })
+    }
 
     #[inline(always)]
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W> {

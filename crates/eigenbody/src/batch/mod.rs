@@ -26,8 +26,8 @@ use ends::Spectra;
 use kernels::{Entries, Forward, Inverse, Masses};
 use layout::Layout;
 use rayon::prelude::*;
-use share::{Faults, Found, Kernel, Over, Part, Rooms, part, rows, rows_mut};
-use std::sync::{Mutex, OnceLock};
+use share::{Faults, Found, Kernel, Over, Part, Rooms, Shares, threads};
+use std::sync::OnceLock;
 
 /// Configurations of the widest group: parts are multiples of it.
 const GROUP: usize = MOST_LANES;
@@ -133,13 +133,10 @@ impl Batch<'_, f64> {
         model.check_dense().map_err(BatchError::Shape)?;
         let ones = vec![1.0; model.nv()];
         let weights = metric.weights_for(&ones, |d| model.is_translation(d)).map_err(BatchError::Shape)?;
-        let (size, weights, layout) = (part(values.len()), weights.as_slice(), self.whole());
+        let (weights, layout) = (weights.as_slice(), self.whole());
         let units: Vec<f64> = layout.order().map(|d| 1.0 / weights[d].sqrt()).collect();
-        let units = units.as_slice();
-        let outs = values.chunks_mut(size).zip(rows(q, size, model.nq()));
-        let kernels =
-            outs.map(|(out, q)| Spectra { q, layout, metric, weights, units, weighted, accuracy, out });
-        let found = self.share(size, q, kernels, |unit, over| f64::dispatch_wide(unit, over));
+        let kernel = Spectra { q, layout, metric, weights, units: &units, weighted, accuracy, out: values };
+        let found = self.share(q, kernel, |unit, over| f64::dispatch_wide(unit, over));
         self.check(found, q, &[])
     }
 }
@@ -173,11 +170,10 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// Errors: [`BatchError`]; `H` then holds no result.
     pub fn mass_matrices(&self, q: &[T], H: &mut [T]) -> Result<(), BatchError> {
         self.model.check_dense().map_err(BatchError::Shape)?;
-        let (layout, size) = (self.whole(), part(self.count(q)?));
+        let layout = self.whole();
         let places = layout.square();
         length("H", H.len(), self.count(q)? * places.len())?;
-        let kernels = rows_mut(H, size, places.len()).map(|H| Masses { layout, places, H });
-        let found = self.share(size, q, kernels, T::masses);
+        let found = self.share(q, Masses { layout, places, H }, T::masses);
         self.check(found, q, &[])
     }
 
@@ -211,10 +207,9 @@ impl<'m, T: Lanes> Batch<'m, T> {
     /// ```
     pub fn mass_matrix_entries(&self, q: &[T], entries: &mut [T]) -> Result<(), BatchError> {
         self.model.check_dense().map_err(BatchError::Shape)?;
-        let (layout, size) = (self.pieces(), part(self.count(q)?));
+        let layout = self.pieces();
         length("entries", entries.len(), self.count(q)? * layout.entries())?;
-        let kernels = rows_mut(entries, size, layout.entries()).map(|entries| Entries { layout, entries });
-        let found = self.share(size, q, kernels, T::entries);
+        let found = self.share(q, Entries { layout, entries }, T::entries);
         self.check(found, q, &[])
     }
 
@@ -234,10 +229,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
         length("v", v.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
-        let size = part(count);
-        let given = rows(v, size, nv).zip(rows(vdot, size, nv));
-        let kernels = given.zip(rows_mut(tau, size, nv)).map(|((v, vdot), tau)| Inverse { v, vdot, tau });
-        let found = self.share(size, q, kernels, T::inverse);
+        let found = self.share(q, Inverse { v, vdot, tau }, T::inverse);
         self.check(found, q, &[("v", v), ("vdot", vdot)])
     }
 
@@ -257,10 +249,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
         length("v", v.len(), count * nv)?;
         length("tau", tau.len(), count * nv)?;
         length("vdot", vdot.len(), count * nv)?;
-        let size = part(count);
-        let given = rows(v, size, nv).zip(rows(tau, size, nv));
-        let kernels = given.zip(rows_mut(vdot, size, nv)).map(|((v, tau), vdot)| Forward { v, tau, vdot });
-        let found = self.share(size, q, kernels, T::forward);
+        let found = self.share(q, Forward { v, tau, vdot }, T::forward);
         self.check(found, q, &[("v", v), ("tau", tau)])
     }
 
@@ -288,24 +277,20 @@ impl<'m, T: Lanes> Batch<'m, T> {
         }
     }
 
-    /// Runs kernels, each over its part of so many configurations: a thread that is done with one takes the next.
-    fn share<K: Send>(
+    /// Runs a kernel over all configurations, on all threads.
+    fn share<K: Kernel<T> + Send>(
         &self,
-        size: usize,
         q: &[T],
-        kernels: impl Iterator<Item = K> + Send,
+        kernel: K,
         run: impl Fn(Unit, Over<'_, T, K>) -> Found + Sync,
     ) -> Found {
         let Self { model, unit, rooms, .. } = self;
-        let nq = model.nq();
-        let parts = (0..).step_by(size).zip(rows(q, size, nq).zip(kernels));
-        let parts = Mutex::new(parts.map(|(first, (q, kernel))| Part { first, q, kernel }));
-        let next = || parts.lock().ok()?.next();
-        let threads = rayon::current_num_threads().min(q.len().div_ceil((size * nq).max(1)));
+        let threads = threads(q.len().checked_div(model.nq()).unwrap_or(0));
+        let shares = &Shares::new(model, threads, Part { first: 0, q, kernel });
         (0..threads)
             .into_par_iter()
             .with_max_len(1)
-            .map(|_| run(*unit, Over { model, rooms, next: &next }))
+            .map(|_| run(*unit, Over { model, rooms, shares }))
             .reduce(Found::default, Found::and)
     }
 

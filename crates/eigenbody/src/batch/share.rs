@@ -9,25 +9,17 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Mutex;
 
-/// Parts for each thread, and the fewest configurations of a part: small enough that no thread waits long for another, at the end.
-const PARTS: usize = 32;
+/// Most shares of a batch: of more threads, some have one together.
+const SHARES: usize = 32;
+/// Parts that a thread sees in what is left of a share, when it takes one: they grow smaller, and no thread waits long for another at the
+/// end.
+const PARTS: usize = 8;
+/// Fewest configurations of a part: to take it is no work beside.
 const LEAST: usize = 4 * GROUP;
 
-/// Configurations of a part, whole groups.
-pub(super) fn part(count: usize) -> usize {
-    match rayon::current_num_threads() {
-        1 => count.max(1),
-        threads => count.div_ceil(PARTS * threads).next_multiple_of(GROUP).max(LEAST),
-    }
-}
-
-/// So many configurations of `n` numbers at a time.
-pub(super) fn rows<T>(x: &[T], configurations: usize, n: usize) -> std::slice::Chunks<'_, T> {
-    x.chunks((configurations * n).max(1))
-}
-
-pub(super) fn rows_mut<T>(x: &mut [T], configurations: usize, n: usize) -> std::slice::ChunksMut<'_, T> {
-    x.chunks_mut((configurations * n).max(1))
+/// Threads for so many configurations.
+pub(super) fn threads(count: usize) -> usize {
+    rayon::current_num_threads().min(count.div_ceil(LEAST))
 }
 
 /// What a thread found in its parts.
@@ -59,12 +51,77 @@ pub struct Part<'a, T, K> {
     pub(super) kernel: K,
 }
 
-/// The next part, until none is left.
-type Parts<'a, T, K> = &'a (dyn Fn() -> Option<Part<'a, T, K>> + Sync);
+impl<T: Batched, K: Kernel<T>> Part<'_, T, K> {
+    fn count(&self, model: &Model<T>) -> usize {
+        self.q.len().checked_div(model.nq()).unwrap_or(0)
+    }
 
-/// Memory of threads that are done.
+    /// Its first configurations, so many, and the others.
+    fn split_at(self, model: &Model<T>, count: usize) -> (Self, Self) {
+        let (q, others) = self.q.split_at(count * model.nq());
+        let (kernel, other) = self.kernel.split_at(model, count);
+        let first = self.first + count;
+        (Self { q, kernel, ..self }, Self { first, q: others, kernel: other })
+    }
+}
+
+/// A batch in shares, of each what is left.
+///
+/// ```text
+/// a thread:    while some of its share is left:            take from the front
+///              while some of another share is left:        take from the back
+/// ```
+/// A thread finds the memory of its share where it left it in the call before: near.
+#[allow(missing_debug_implementations)]
+pub struct Shares<'a, T, K> {
+    left: [Mutex<Option<Part<'a, T, K>>>; SHARES],
+    count: usize,
+}
+
+impl<'a, T: Batched, K: Kernel<T>> Shares<'a, T, K> {
+    /// One for each thread, of whole groups but for the last.
+    pub(super) fn new(model: &Model<T>, threads: usize, all: Part<'a, T, K>) -> Self {
+        let mut left = [const { Mutex::new(None) }; SHARES];
+        let count = threads.clamp(1, SHARES);
+        let size = all.count(model).div_ceil(count).next_multiple_of(GROUP);
+        let mut rest = all;
+        for share in &mut left[..count] {
+            let own = size.min(rest.count(model));
+            let (part, others) = rest.split_at(model, own);
+            *share = Mutex::new(Some(part));
+            rest = others;
+        }
+        Self { left, count }
+    }
+
+    /// A part of a thread's own share, or else of another.
+    fn next(&self, model: &Model<T>, own: usize) -> Option<Part<'a, T, K>> {
+        (0..self.count).find_map(|k| {
+            let mut share = self.left[(own + k) % self.count].lock().ok()?;
+            let left = share.take()?;
+            let count = left.count(model);
+            let size = match self.count {
+                1 => count,
+                _ => count.div_ceil(PARTS).next_multiple_of(GROUP).max(LEAST),
+            };
+            if size >= count {
+                return (count > 0).then_some(left);
+            }
+            let (part, rest) = if k == 0 {
+                left.split_at(model, size)
+            } else {
+                let (rest, part) = left.split_at(model, (count - size) / GROUP * GROUP);
+                (part, rest)
+            };
+            *share = Some(rest);
+            Some(part)
+        })
+    }
+}
+
+/// Memory of threads that are done, each with the thread's number.
 #[derive(Default)]
-pub(super) struct Rooms(Mutex<Vec<Box<dyn Any + Send>>>);
+pub(super) struct Rooms(Mutex<Vec<(usize, Box<dyn Any + Send>)>>);
 
 impl fmt::Debug for Rooms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -73,16 +130,17 @@ impl fmt::Debug for Rooms {
 }
 
 impl Rooms {
-    /// One of this kind, if one is left.
-    fn take<R: Any>(&self) -> Option<Box<R>> {
+    /// One of this kind, if one is left: the thread's own rather than another.
+    fn take<R: Any>(&self, thread: usize) -> Option<Box<R>> {
         let mut rooms = self.0.lock().ok()?;
-        let place = rooms.iter().rposition(|room| room.is::<R>())?;
-        rooms.swap_remove(place).downcast().ok()
+        let fit = (0..rooms.len()).filter(|&place| rooms[place].1.is::<R>());
+        let place = fit.max_by_key(|&place| rooms[place].0 == thread)?;
+        rooms.swap_remove(place).1.downcast().ok()
     }
 
-    fn leave<R: Any + Send>(&self, room: Box<R>) {
+    fn leave<R: Any + Send>(&self, thread: usize, room: Box<R>) {
         if let Ok(mut rooms) = self.0.lock() {
-            rooms.push(room);
+            rooms.push((thread, room));
         }
     }
 }
@@ -113,19 +171,21 @@ impl<W: Wide> Faults<W> {
     }
 }
 
-/// A kernel over the configurations of as many parts as it gets.
+/// A kernel over the configurations of as many parts as its thread gets.
 #[doc(hidden)]
 #[allow(missing_debug_implementations)]
 pub struct Over<'a, T, K> {
     pub(super) model: &'a Model<T>,
     pub(super) rooms: &'a Rooms,
-    pub(super) next: Parts<'a, T, K>,
+    pub(super) shares: &'a Shares<'a, T, K>,
 }
 
 /// What is computed of a group of configurations, one a lane.
-pub(super) trait Kernel<T: Batched> {
+pub(super) trait Kernel<T: Batched>: Sized {
     /// Memory for a group, whatever stands in it.
     type Room<W: Wide<Constant = T>>: Any + Send;
+    /// For the first configurations, so many, and for the others.
+    fn split_at(self, model: &Model<T>, count: usize) -> (Self, Self);
     /// Memory for a group.
     fn room<W: Wide<Constant = T>>(&self, model: &Model<T>) -> Self::Room<W>;
     /// Computes a group of configurations, of which q stands in lanes already, and tells the first of its part without an answer.
@@ -151,17 +211,18 @@ impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
 
     #[inline(always)]
     fn run<W: Wide<Constant = T>>(self) -> Found {
-        let Self { model, rooms, next } = self;
+        let Self { model, rooms, shares } = self;
         let nq = model.nq();
         let mut found = Found::default();
-        let Some(mut part) = next() else { return found };
+        let thread = rayon::current_thread_index().unwrap_or(0);
+        let Some(mut part) = shares.next(model, thread) else { return found };
         let mut own = rooms
-            .take::<Own<W, K::Room<W>>>()
+            .take::<Own<W, K::Room<W>>>(thread)
             .unwrap_or_else(|| Box::new(Own { q: turn::room(nq), room: part.kernel.room::<W>(model) }));
         let Own { q, room } = &mut *own;
         let mut faults = Faults([W::ZERO; 4]);
         loop {
-            let count = part.q.len().checked_div(nq).unwrap_or(0);
+            let count = part.count(model);
             let (mut failed, mut first) = (None, 0);
             while first < count {
                 let lanes = W::WIDTH.min(count - first);
@@ -173,16 +234,86 @@ impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
                 part.kernel.group(model, q, first..first + lanes, room, &mut faults, &mut failed);
                 first += W::WIDTH;
             }
-            if found.failed.is_none() {
-                found.failed = failed.map(|(k, error)| (part.first + k, error));
-            }
-            match next() {
+            let failed = failed.map(|(k, error)| (part.first + k, error));
+            found = found.and(Found { unfit: false, failed });
+            match shares.next(model, thread) {
                 Some(next) => part = next,
                 None => break,
             }
         }
-        rooms.leave(own);
+        rooms.leave(thread, own);
         found.unfit = !faults.none();
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::kernels::Inverse;
+    use super::*;
+    use crate::family::Family;
+
+    /// Places of the parts that threads take in this order, until nothing is left.
+    fn taken(count: usize, threads: usize, order: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
+        let model: Model<f64> = Family::hydra(1, 1.0, 0.0, 1.0).unwrap().model().unwrap();
+        let q: Vec<f64> = (0..count).map(|k| k as f64).collect();
+        let mut tau = vec![0.0; count];
+        let kernel = Inverse { v: &q, vdot: &q, tau: &mut tau };
+        let shares = Shares::new(&model, threads, Part { first: 0, q: &q, kernel });
+        let mut places = Vec::new();
+        while let Some(Part { first, q, kernel }) = shares.next(&model, order(places.len())) {
+            assert_eq!((q[0], kernel.v, kernel.tau.len()), (first as f64, q, q.len()));
+            kernel.tau.fill(1.0);
+            places.push(first..first + q.len());
+        }
+        assert!(tau.iter().all(|&x| x == 1.0));
+        places
+    }
+
+    fn assert_whole(mut places: Vec<Range<usize>>, count: usize) {
+        places.sort_by_key(|place| place.start);
+        let mut end = 0;
+        for place in places {
+            assert_eq!((place.start, place.start % GROUP, place.is_empty()), (end, 0, false));
+            end = place.end;
+        }
+        assert_eq!(end, count);
+    }
+
+    #[test]
+    fn every_configuration_is_taken_once() {
+        for count in [1, 15, 64, 65, 1000, 5003] {
+            for threads in [1, 2, 3, 8, 2 * SHARES] {
+                for step in [0, 1, 3] {
+                    assert_whole(taken(count, threads, |k| k * step), count);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_thread_takes_its_own_share_before_others_from_behind() {
+        let places = taken(4096, 2, |_| 1);
+        let (own, others): (Vec<_>, Vec<_>) = places.iter().cloned().partition(|place| place.start >= 2048);
+        assert_eq!(places, [own.clone(), others.clone()].concat());
+        assert!(own.is_sorted_by_key(|place| place.start) && own[0] == (2048..2304));
+        assert!(others.is_sorted_by_key(|place| 4096 - place.start) && others[0] == (1792..2048));
+    }
+
+    #[test]
+    fn one_thread_takes_all_at_once() {
+        assert_eq!(taken(5003, 1, |_| 0), [0..5003]);
+    }
+
+    #[test]
+    fn a_thread_finds_its_own_room_again() {
+        let rooms = Rooms::default();
+        rooms.leave(0, Box::new(10));
+        rooms.leave(1, Box::new(11));
+        rooms.leave(2, Box::new("other"));
+        assert_eq!(rooms.take::<i32>(0).as_deref(), Some(&10));
+        // Another's rather than none.
+        assert_eq!(rooms.take::<i32>(0).as_deref(), Some(&11));
+        assert_eq!(rooms.take::<i32>(2), None);
     }
 }
