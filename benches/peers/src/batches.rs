@@ -13,7 +13,7 @@ use rayon::ThreadPool;
 use crate::Outcome;
 use crate::contest::Contestant;
 use crate::quantity::Quantity;
-use crate::robot::{Robot, Sample};
+use crate::robot::{Robot, SAMPLES, Sample};
 
 /// Degrees of freedom in a batch, about: states, results and H of one core's share stay in its own memory.
 pub const FEW: usize = 8192;
@@ -21,6 +21,8 @@ pub const FEW: usize = 8192;
 pub const MANY: usize = 128 * FEW;
 /// How many times fewer they are then for matrices, which take longer and more memory.
 const FEWER: usize = 4;
+/// Numbers of few matrices, at most: a megabyte, so that they stay near as well.
+const NEAR: usize = 1 << 17;
 /// How much longer than others' the turns of threads that share are: a system takes some milliseconds to give a second core to a second
 /// thread.
 const PATIENCE: f64 = 20.0;
@@ -38,9 +40,11 @@ pub struct Batches<'r, T> {
     threads: Arc<ThreadPool>,
     /// How much longer than others' its turns are.
     patience: f64,
-    /// Configurations of a call, and of one for matrices.
+    /// Configurations of a call, and at most of one for matrices.
     count: usize,
     matrices: usize,
+    /// Numbers of them, at most.
+    near: usize,
     q: Vec<T>,
     v: Vec<T>,
     x: Vec<T>,
@@ -80,6 +84,7 @@ impl<'r, T: Lanes> Batches<'r, T> {
             patience: if size > FEW { PATIENCE } else { 1.0 },
             count,
             matrices,
+            near: if size > FEW { usize::MAX } else { NEAR },
             q: numbers(exact_q.clone()),
             v: numbers(all(|sample| &sample.v)),
             x: numbers(all(|sample| &sample.x)),
@@ -92,20 +97,23 @@ impl<'r, T: Lanes> Batches<'r, T> {
 
     /// Configurations of a call.
     fn count(&self, quantity: Quantity) -> usize {
-        match quantity {
-            Quantity::Rnea | Quantity::Aba => self.count,
-            _ => self.matrices,
-        }
+        let numbers = match quantity {
+            Quantity::Rnea | Quantity::Aba => return self.count,
+            Quantity::Crba => self.nv * self.nv,
+            Quantity::Entries => self.entries.len(),
+            _ => return self.matrices,
+        };
+        self.matrices.min((self.near / numbers / SAMPLES).max(1) * SAMPLES)
     }
 
     fn all(&mut self, quantity: Quantity) -> Outcome {
         let count = self.count(quantity);
-        let Self { batch, exact, nq, entries, q, v, x, exact_q, out, H, values, .. } = self;
+        let Self { batch, exact, nq, nv, entries, q, v, x, exact_q, out, H, values, .. } = self;
         let q = &q[..count * *nq];
         match quantity {
             Quantity::Rnea => batch.inverse_dynamics(q, v, x, out)?,
             Quantity::Aba => batch.forward_dynamics(q, v, x, out)?,
-            Quantity::Crba => batch.mass_matrices(q, H)?,
+            Quantity::Crba => batch.mass_matrices(q, &mut H[..count * *nv * *nv])?,
             Quantity::Entries => batch.mass_matrix_entries(q, &mut H[..count * entries.len()])?,
             _ => exact.conditioning(exact_q, &Metric::Euclidean, ACCURACY, values)?,
         }
@@ -130,20 +138,18 @@ impl<T: Lanes> Contestant for Batches<'_, T> {
     /// The whole batch, on its own threads from beginning to end.
     fn turn(&mut self, quantity: Quantity, _: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
         let (threads, patience) = (self.threads.clone(), self.patience);
-        let each = threads.install(|| -> Result<f64, String> {
-            let mut all = || self.all(quantity).map_err(|error| error.to_string());
+        let each = threads.install(|| {
+            let mut run = |at_least: f64| -> Result<f64, String> {
+                let (start, mut calls) = (Instant::now(), 0);
+                while start.elapsed().as_secs_f64() < at_least {
+                    self.all(quantity).map_err(|error| error.to_string())?;
+                    calls += 1;
+                }
+                Ok(start.elapsed().as_secs_f64() / f64::from(calls))
+            };
             // A thread that has slept is given a core of its own only after some milliseconds.
-            let asleep = Instant::now();
-            all()?;
-            while asleep.elapsed().as_secs_f64() < seconds * (patience - 1.0) {
-                all()?;
-            }
-            let (start, mut calls) = (Instant::now(), 0);
-            while start.elapsed().as_secs_f64() < seconds * patience {
-                all()?;
-                calls += 1;
-            }
-            Ok(start.elapsed().as_secs_f64() / f64::from(calls))
+            run(seconds * (patience - 1.0).max(0.5))?;
+            run(seconds * patience)
         })?;
         Ok(each / self.count(quantity) as f64)
     }

@@ -14,12 +14,12 @@ const SHARES: usize = 32;
 /// Parts that a thread sees in what is left of a share, when it takes one: they grow smaller, and no thread waits long for another at the
 /// end.
 const PARTS: usize = 8;
-/// Fewest configurations of a part: to take it is no work beside.
-const LEAST: usize = 4 * GROUP;
+/// Configurations that are worth a thread.
+const WORTH: usize = 4 * GROUP;
 
 /// Threads for so many configurations.
 pub(super) fn threads(count: usize) -> usize {
-    rayon::current_num_threads().min(count.div_ceil(LEAST))
+    rayon::current_num_threads().min(count.div_ceil(WORTH))
 }
 
 /// What a thread found in its parts.
@@ -102,7 +102,7 @@ impl<'a, T: Batched, K: Kernel<T>> Shares<'a, T, K> {
             let count = left.count(model);
             let size = match self.count {
                 1 => count,
-                _ => count.div_ceil(PARTS).next_multiple_of(GROUP).max(LEAST),
+                _ => count.div_ceil(PARTS).next_multiple_of(GROUP),
             };
             if size >= count {
                 return (count > 0).then_some(left);
@@ -302,7 +302,7 @@ mod tests {
 
     #[test]
     fn one_thread_takes_all_at_once() {
-        assert_eq!(taken(5003, 1, |_| 0), [0..5003]);
+        assert_eq!(taken(5003, 1, |_| 0), std::slice::from_ref(&(0..5003)));
     }
 
     #[test]
