@@ -1,8 +1,8 @@
 //! eigenbody's batches: many configurations a call, on one unit of the processor or another, on one core or two.
 
 use std::error::Error;
+use std::hint::black_box;
 use std::sync::Arc;
-use std::time::Instant;
 
 use eigenbody::batch::{Batch, Lanes};
 use eigenbody::conditioning::Values;
@@ -11,7 +11,7 @@ use eigenbody::{Metric, Model};
 use rayon::ThreadPool;
 
 use crate::Outcome;
-use crate::contest::Contestant;
+use crate::contest::{Contestant, repeated};
 use crate::quantity::Quantity;
 use crate::robot::{Robot, SAMPLES, Sample};
 
@@ -139,17 +139,10 @@ impl<T: Lanes> Contestant for Batches<'_, T> {
     fn turn(&mut self, quantity: Quantity, _: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
         let (threads, patience) = (self.threads.clone(), self.patience);
         let each = threads.install(|| {
-            let mut run = |at_least: f64| -> Result<f64, String> {
-                let (start, mut calls) = (Instant::now(), 0);
-                while start.elapsed().as_secs_f64() < at_least {
-                    self.all(quantity).map_err(|error| error.to_string())?;
-                    calls += 1;
-                }
-                Ok(start.elapsed().as_secs_f64() / f64::from(calls))
-            };
+            let mut all = || self.all(quantity).map_err(|error| error.to_string());
             // A thread that has slept is given a core of its own only after some milliseconds.
-            run(seconds * (patience - 1.0).max(0.5))?;
-            run(seconds * patience)
+            repeated(seconds * (patience - 1.0).max(0.5), &mut all)?;
+            repeated(seconds * patience, &mut all)
         })?;
         Ok(each / self.count(quantity) as f64)
     }
@@ -210,6 +203,41 @@ impl Contestant for Apart<'_> {
         });
         let other = other.map_err(|_| "a thread ended")?;
         Ok(1.0 / (1.0 / one? + 1.0 / other?))
+    }
+
+    fn value(&mut self, _: Quantity) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+/// Nothing but zeros where a batch would write: what its results cost at least.
+pub struct Zeros<'r>(Batches<'r, f64>);
+
+impl<'r> Zeros<'r> {
+    pub fn new(robot: &'r Robot) -> Result<Self, Box<dyn Error>> {
+        Ok(Self(Batches::new(robot, &robot.model, Unit::Avx512, FEW, 1)?))
+    }
+}
+
+impl Contestant for Zeros<'_> {
+    fn quantities(&self) -> &'static [Quantity] {
+        &[Quantity::Crba, Quantity::Entries]
+    }
+
+    fn compute(&mut self, quantity: Quantity, _: usize, _: &Sample) -> Outcome {
+        let batch = &mut self.0;
+        let numbers = if quantity == Quantity::Crba { batch.nv * batch.nv } else { batch.entries.len() };
+        let count = batch.count(quantity);
+        batch.H[..count * numbers].fill(0.0);
+        black_box(&mut batch.H);
+        Ok(())
+    }
+
+    fn turn(&mut self, quantity: Quantity, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
+        let mut all = || self.compute(quantity, 0, &samples[0]);
+        repeated(seconds / 2.0, &mut all)?;
+        let each = repeated(seconds, &mut all)?;
+        Ok(each / self.0.count(quantity) as f64)
     }
 
     fn value(&mut self, _: Quantity) -> Vec<f64> {

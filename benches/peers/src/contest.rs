@@ -8,7 +8,7 @@ use std::time::Instant;
 use eigenbody::scalar::Unit;
 
 use crate::Outcome;
-use crate::batches::{Apart, Batches, FEW, MANY};
+use crate::batches::{Apart, Batches, FEW, MANY, Zeros};
 use crate::dynibo::Dynibo;
 use crate::eigen::{Faer, Nalgebra};
 use crate::ours::Ours;
@@ -35,19 +35,21 @@ pub trait Contestant {
     /// All samples, again until it took so many seconds, after half as long for memory to come near and the processor to wake; seconds for
     /// each.
     fn turn(&mut self, quantity: Quantity, samples: &[Sample], seconds: f64) -> Result<f64, Box<dyn Error>> {
-        let mut run = |at_least: f64| -> Result<f64, Box<dyn Error>> {
-            let (start, mut calls) = (Instant::now(), 0);
-            while start.elapsed().as_secs_f64() < at_least {
-                for (k, state) in samples.iter().enumerate() {
-                    self.compute(quantity, k, state)?;
-                }
-                calls += samples.len();
-            }
-            Ok(start.elapsed().as_secs_f64() / calls as f64)
-        };
-        run(seconds / 2.0)?;
-        run(seconds)
+        let mut all =
+            || samples.iter().enumerate().try_for_each(|(k, state)| self.compute(quantity, k, state));
+        repeated(seconds / 2.0, &mut all)?;
+        Ok(repeated(seconds, &mut all)? / samples.len() as f64)
     }
+}
+
+/// Calls it until that took so many seconds; seconds a call.
+pub fn repeated<E>(at_least: f64, mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
+    let (start, mut calls) = (Instant::now(), 0);
+    while start.elapsed().as_secs_f64() < at_least {
+        call()?;
+        calls += 1;
+    }
+    Ok(start.elapsed().as_secs_f64() / f64::from(calls))
 }
 
 /// A contestant on a robot, here or in a program of its own.
@@ -121,7 +123,7 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
     }
     let (mut entrants, mut heats) = (Vec::new(), Vec::new());
     for robot in &robots {
-        let here: [(&str, Box<dyn Contestant>); 11] = [
+        let here: [(&str, Box<dyn Contestant>); 12] = [
             ("eigenbody", Box::new(Ours::new(robot)?)),
             ("dynibo", Box::new(Dynibo::new(robot)?)),
             ("nalgebra", Box::new(Nalgebra::new(robot)?)),
@@ -131,6 +133,7 @@ pub fn race(directory: &str, programs: &[&str]) -> Outcome {
             ("batch-many", Box::new(Batches::new(robot, &robot.model, Unit::Avx512, MANY, 1)?)),
             ("batch-many-2", Box::new(Batches::new(robot, &robot.model, Unit::Avx512, MANY, 2)?)),
             ("batch-many-apart", Box::new(Apart::new(robot, MANY)?)),
+            ("batch-zeros", Box::new(Zeros::new(robot)?)),
             ("batch-f32", Box::new(Batches::new(robot, &robot.single, Unit::Avx512, FEW, 1)?)),
             ("batch-f32-avx2", Box::new(Batches::new(robot, &robot.single, Unit::Avx2, FEW, 1)?)),
         ];

@@ -221,6 +221,17 @@ fn text(figures: &Figures) -> String {
         .chain(["τ", "v̇", "H", "entries of H", "κ and κ′"].into_iter().flat_map(|what| [what, "apart"]))
         .collect();
     let cores = table("Batches: two threads to one, and two calls apart, a thread each", &head, &cores);
+    let zeros = ROBOTS.map(|(robot, base, _)| {
+        let cells = ["crba", "entries"].map(|quantity| {
+            let name = |contestant: &str| format!("{robot} {quantity} {contestant}");
+            let [all, zeros] = ["batch", "batch-zeros"].map(name);
+            let part = format!("{:.0}%", 100.0 * figures.ratio(&zeros, &all));
+            [time(figures.get(&all)), time(figures.get(&zeros)), part]
+        });
+        [label(robot, base)].into_iter().chain(cells.into_iter().flatten()).collect::<Vec<_>>()
+    });
+    let head = ["robot", "H", "zeros", "part", "entries of H", "zeros", "part"];
+    let zeros = table("Batches: H on one core, and nothing but zeros into the same memory", &head, &zeros);
     let fastest = |quantity: &str| {
         let heads = ROBOTS.map(|(robot, ..)| format!("{robot} {quantity} "));
         let names = heads
@@ -234,6 +245,6 @@ fn text(figures: &Figures) -> String {
     };
     let wins =
         ["rnea", "aba", "upper"].map(|quantity| format!("{quantity} {}", fastest(quantity))).join("; ");
-    let tables = tables.into_iter().chain(batches).chain([cores]).collect::<Vec<_>>();
+    let tables = tables.into_iter().chain(batches).chain([zeros, cores]).collect::<Vec<_>>();
     format!("{}\nPinocchio's best builds and conventions: {wins}.\n", tables.join("\n"))
 }
