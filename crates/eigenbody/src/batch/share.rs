@@ -1,4 +1,4 @@
-//! What threads share: parts of a batch, each taken by whoever is done with another, and rooms that are left for the next call.
+//! What threads share: a batch, of which each takes parts until none is left, and rooms that wait for the next call.
 
 use super::{GROUP, turn};
 use crate::error::Error;
