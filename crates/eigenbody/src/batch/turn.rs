@@ -70,19 +70,14 @@ pub(super) fn from_places<W: Wide>(x: &[W], places: &[u32], lanes: usize, out: &
 
 /// Where values to be turned come from.
 trait Values<W: Wide>: Copy {
-    /// As many as a register holds, from number `at` on.
-    fn block(&self, at: usize) -> [&W; MOST_LANES];
+    /// As many as a register holds, from number `at` on; in `room`, if they do not stand side by side.
+    fn block<'a>(&'a self, at: usize, room: &'a mut [W; MOST_LANES]) -> &'a [W];
 }
 
 impl<W: Wide> Values<W> for &[W] {
     #[inline(always)]
-    fn block(&self, at: usize) -> [&W; MOST_LANES] {
-        let block = &self[at..at + W::WIDTH];
-        let mut values = [&block[0]; MOST_LANES];
-        for k in 0..W::WIDTH {
-            values[k] = &block[k];
-        }
-        values
+    fn block<'a>(&'a self, at: usize, _: &'a mut [W; MOST_LANES]) -> &'a [W] {
+        &self[at..at + W::WIDTH]
     }
 }
 
@@ -92,13 +87,11 @@ struct Chosen<'a, W>(&'a [W], &'a [u32]);
 
 impl<W: Wide> Values<W> for Chosen<'_, W> {
     #[inline(always)]
-    fn block(&self, at: usize) -> [&W; MOST_LANES] {
-        let places = &self.1[at..at + W::WIDTH];
-        let mut values = [&self.0[0]; MOST_LANES];
-        for k in 0..W::WIDTH {
-            values[k] = &self.0[places[k] as usize];
+    fn block<'a>(&'a self, at: usize, room: &'a mut [W; MOST_LANES]) -> &'a [W] {
+        for (value, &place) in room.iter_mut().zip(&self.1[at..at + W::WIDTH]) {
+            *value = self.0[place as usize];
         }
-        values
+        &room[..W::WIDTH]
     }
 }
 
@@ -112,13 +105,13 @@ fn blocks_from_lanes<W: Wide>(x: impl Values<W>, part: Range<usize>, n: usize, o
         (*row, rest) = (&mut whole[..count], others);
     }
     rows[W::WIDTH - 1] = &mut rest[..count];
-    let mut first = 0;
+    let (mut room, mut first) = ([W::ZERO; MOST_LANES], 0);
     while first < count {
         // The last block may meet the one before it.
         let at = first.min(count - W::WIDTH);
-        let values = x.block(at);
+        let values = x.block(at, &mut room);
         for (quarter, rows) in rows[..W::WIDTH].chunks_exact_mut(BLOCK).enumerate() {
-            for (row, x) in rows.iter_mut().zip(W::turn(&values, BLOCK * quarter)) {
+            for (row, x) in rows.iter_mut().zip(turned(values, BLOCK * quarter)) {
                 x.to_slice(&mut row[at..]);
                 W::announce(row, at + AHEAD / size_of::<W::Constant>());
             }
