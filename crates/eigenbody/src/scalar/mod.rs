@@ -13,6 +13,7 @@ mod lanes;
 mod quad;
 #[allow(unsafe_code)] // audited: see the module's two promises
 mod simd;
+mod sixteenths;
 mod trig;
 
 pub(crate) use aligned::{Aligned, Line};
@@ -121,6 +122,11 @@ pub trait Scalar:
     #[inline(always)]
     fn quarters(self, _shifted: Self, s: Self, c: Self) -> (Self, Self) {
         trig::quarters(self, s, c)
+    }
+    /// Sine and cosine of n sixteenths of a turn, where looking them up is one instruction; `shifted` is n and 1.5/ε.
+    #[inline(always)]
+    fn sixteenths(_shifted: Self) -> Option<(Self, Self)> {
+        None
     }
     /// |self|.
     fn abs(self) -> Self;

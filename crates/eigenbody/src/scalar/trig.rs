@@ -5,10 +5,11 @@
 //! s = sin(r + y), c = cos(r + y)                    polynomials on |r| ≤ π/4
 //! turned by n mod 4:  n even: (s, c), odd: (c, −s);  n mod 4 in {2, 3}: both negated
 //! ```
-//! Reduction after Cody and Waite (1980); polynomials of FreeBSD's msun (f64) and Cephes (f32). Within 1 ulp in f64 up to
-//! 800,000 rad; in f32 within 1.5 ulp up to 3000 rad, or 1e-11 where sine or cosine is smaller than 1e-4. Where one of those side by side is larger, they go
-//! to [`Scalar::sin_cos`].
+//! Reduction after Cody and Waite (1980); polynomials of FreeBSD's msun (f64) and Cephes (f32). Where a register holds many numbers,
+//! [`sixteenths`] is shorter. Either way within 1 ulp in f64 up to 800,000 rad; in f32 within 1.5 ulp up to 3000 rad, or 1e-11 where sine
+//! or cosine is smaller than 1e-4. Where one of those side by side is larger, they go to [`Scalar::sin_cos`].
 
+use super::sixteenths::{self, Sixteenths};
 use super::{MOST_COLUMNS, Real, Scalar};
 
 /// What one precision needs.
@@ -30,6 +31,8 @@ pub struct Trig<T: 'static> {
     sin: &'static [T],
     /// cos x = 1 − x²/2 + x⁴(c₀ + c₁x² + ..), highest first.
     cos: &'static [T],
+    /// For those who look up where a sixteenth of a turn ends.
+    sixteenths: Sixteenths<T>,
 }
 
 /// Digits as published.
@@ -57,6 +60,24 @@ pub(super) const DOUBLE: Trig<f64> = Trig {
         -1.38888888888741095749e-03,
         4.16666666666666019037e-02,
     ],
+    sixteenths: Sixteenths {
+        per_radian: 2.546_479_089_470_325_5,
+        minus_one: [-0.392_699_081_698_724_14, -1.530_808_498_523_035e-17],
+        tail: Some(-4.111_564_234_081_064_4e-27),
+        sin: &[
+            2.753_378_851_563_021_593_4e-6,
+            -1.984_126_222_031_482_787_7e-4,
+            8.333_333_332_360_528_250_6e-3,
+            -1.666_666_666_666_628_067_2e-1,
+        ],
+        cos: &[
+            -2.753_550_362_404_399_397_8e-7,
+            2.480_157_916_465_252_866_7e-5,
+            -1.388_888_888_762_425_409_3e-3,
+            4.166_666_666_666_599_149_3e-2,
+            -0.5,
+        ],
+    },
 };
 
 /// Digits as published.
@@ -70,6 +91,13 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     tail_is_rounding: false,
     sin: &[-1.951_529_589_1e-4, 8.332_160_873_6e-3, -1.666_665_461_1e-1],
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
+    sixteenths: Sixteenths {
+        per_radian: 2.546_479_1,
+        minus_one: [-0.392_699_1, 1.092_784_7e-8],
+        tail: None,
+        sin: &[8.322_689_572_191_612e-3, -1.666_665_397_330_896e-1],
+        cos: &[4.159_217_354_332_391e-2, -4.999_991_116_818_389e-1],
+    },
 };
 
 /// Sines and cosines of angles side by side.
@@ -95,6 +123,10 @@ fn plain<S: Scalar>(x: S::Columns) -> (S::Columns, S::Columns) {
 #[inline(always)]
 fn sin_cos<S: Scalar>(x: S, trig: &Trig<S::Constant>) -> (S, S) {
     let integer = S::constant(trig.integer);
+    let shifted = x.mul_add(S::constant(trig.sixteenths.per_radian), integer);
+    if let Some(turned) = S::sixteenths(shifted) {
+        return sixteenths::sin_cos(x, shifted - integer, turned, &trig.sixteenths);
+    }
     let shifted = x.mul_add(S::constant(trig.two_over_pi), integer);
     let n = shifted - integer;
     let (r, y) = match trig.minus_half_pi_fused {
@@ -165,50 +197,70 @@ mod tests {
     use crate::scalar::fused::Fused;
     use crate::scalar::{Array, Batched, Dd, Unit, Wide, WideAlgorithm};
 
-    /// Errors in units of the last place of the result, over angles up to the limit, against double-double.
-    fn worst<S: Scalar>(
-        from_f64: impl Fn(f64) -> S::Stored,
-        to_f64: impl Fn(S::Stored) -> f64,
-        limit: f64,
-        least: f64,
-    ) -> f64 {
+    /// Angles up to the limit: evenly, near multiples of π/2, in between, and small.
+    fn angles<T: Real>(limit: f64) -> Vec<T> {
+        let angle = |k: i32| match k % 4 {
+            0 => limit * (f64::from(k) / 100_000.0 - 1.0),
+            1 => f64::from(k) * std::f64::consts::FRAC_PI_2 % limit,
+            2 => f64::from(k - 100_000) * 1e-4,
+            _ => (-f64::from(k) / 4000.0).exp(),
+        };
+        (0..200_000).map(|k| T::from_f64(angle(k))).collect()
+    }
+
+    /// The largest error in units of the last place of the result, or of `least`, against double-double.
+    fn worst<T: Real>(least: f64, angles: &[T], found: &[[T; 2]]) -> f64 {
         let mut worst: f64 = 0.0;
-        for k in 0..200_000_i32 {
-            // Evenly, near multiples of π/2, and small.
-            let x = match k % 4 {
-                0 => limit * (f64::from(k) / 100_000.0 - 1.0),
-                1 => f64::from(k) * std::f64::consts::FRAC_PI_2 % limit,
-                2 => f64::from(k - 100_000) * 1e-4,
-                _ => (-f64::from(k) / 4000.0).exp(),
-            };
-            let (mut s, mut c) = ([from_f64(0.0); 4], [from_f64(0.0); 4]);
-            let x = from_f64(x);
-            let both = sin_cos_columns::<S>(S::load_columns(&[x; 4]));
-            S::store_columns(both.0, &mut s);
-            S::store_columns(both.1, &mut c);
-            let (sin, cos) = Dd::from_f64(to_f64(x)).sin_cos();
-            for (found, exact) in [(to_f64(s[0]), sin), (to_f64(c[0]), cos)] {
-                let ulp = exact.hi().abs().max(least) * S::Constant::EPSILON;
-                worst = worst.max((Dd::from_f64(found) - exact).hi().abs() / ulp);
+        for (x, found) in angles.iter().zip(found) {
+            let (sin, cos) = Dd::from_f64(x.to_f64()).sin_cos();
+            for (found, exact) in found.iter().zip([sin, cos]) {
+                let ulp = exact.hi().abs().max(least) * T::EPSILON;
+                worst = worst.max((Dd::from_f64(found.to_f64()) - exact).hi().abs() / ulp);
             }
         }
+        assert!(angles.len() == found.len() && worst > 0.1, "{worst}");
         worst
+    }
+
+    /// The same angle in every column.
+    fn in_columns<S: Scalar<Constant = T>, T: Real>(
+        angles: &[T],
+        from: fn(T) -> S::Stored,
+        to: fn(S::Stored) -> T,
+    ) -> Vec<[T; 2]> {
+        let both = angles.iter().map(|&x| {
+            let x = from(x);
+            let (mut s, mut c) = ([x; MOST_COLUMNS], [x; MOST_COLUMNS]);
+            let both = sin_cos_columns::<S>(S::load_columns(&[x; MOST_COLUMNS]));
+            S::store_columns(both.0, &mut s);
+            S::store_columns(both.1, &mut c);
+            [to(s[0]), to(c[0])]
+        });
+        both.collect()
     }
 
     #[test]
     fn sines_are_good_to_the_last_place() {
-        for plain in [
-            worst::<f64>(|x| x, |x| x, 800_000.0, 1e-300),
-            worst::<Fused<f64>>(|x| x, |x| x, 800_000.0, 1e-300),
-            worst::<Array<2>>(|x| Array([x; 2]), |x| x.0[1], 800_000.0, 1e-300),
+        let doubles = angles(800_000.0);
+        for found in [
+            in_columns::<f64, f64>(&doubles, |x| x, |x| x),
+            in_columns::<Fused<f64>, f64>(&doubles, |x| x, |x| x),
+            in_columns::<Array<2>, f64>(&doubles, |x| Array([x; 2]), |x| x.0[1]),
+            f64::dispatch_wide(Unit::Avx2, Sines(&doubles)),
+            f64::dispatch_wide(Unit::Avx512, Sines(&doubles)),
         ] {
-            assert!(plain < 1.0, "f64: {plain}");
+            let worst = worst(1e-300, &doubles, &found);
+            assert!(worst < 1.0, "f64: {worst}");
         }
-        for single in [
-            worst::<f32>(|x| x as f32, f64::from, 3000.0, 1e-4),
-            worst::<Fused<f32>>(|x| x as f32, f64::from, 3000.0, 1e-4),
+        let singles = angles(3000.0);
+        for found in [
+            in_columns::<f32, f32>(&singles, |x| x, |x| x),
+            in_columns::<Fused<f32>, f32>(&singles, |x| x, |x| x),
+            f32::dispatch_wide(Unit::Avx2, Sines(&singles)),
+            f32::dispatch_wide(Unit::Avx512, Sines(&singles)),
         ] {
-            assert!(single < 1.5, "f32: {single}");
+            let worst = worst(1e-4, &singles, &found);
+            assert!(worst < 1.5, "f32: {worst}");
         }
     }
 

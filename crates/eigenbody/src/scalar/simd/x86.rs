@@ -1,6 +1,7 @@
 //! Registers of AVX2 and AVX-512, and the entry functions that are compiled for them.
 
 use super::super::lanes::{LANES, Lane, MOST_LANES, Two, Wide, lane_operators};
+use super::super::sixteenths::{COSINES, SINES};
 use super::super::{Quad, Real, Scalar, only_itself};
 use super::{Algorithm, LaneAlgorithm, WideAlgorithm};
 use std::arch::x86_64::*;
@@ -55,6 +56,7 @@ macro_rules! register {
         $andnot:ident, $set1:ident,
         |$a:ident, $b:ident, $yes:ident, $no:ident| $select:expr,
         |$x:ident, $y:ident| $below:expr
+        $(, |$shifted:ident| $sixteenths:expr)?
     ) => {
         #[doc = $what]
         #[derive(Debug, Clone, Copy)]
@@ -129,6 +131,12 @@ macro_rules! register {
             fn quarters(self, shifted: Self, s: Self, c: Self) -> (Self, Self) {
                 Self::quarters_by_bits(shifted, s, c)
             }
+            $(
+                #[inline(always)]
+                fn sixteenths($shifted: Self) -> Option<(Self, Self)> {
+                    Some($sixteenths)
+                }
+            )?
             #[inline(always)]
             fn abs(self) -> Self {
                 Self(unsafe { $andnot($set1(-0.0), self.0) })
@@ -205,7 +213,8 @@ register!(
     _mm512_andnot_pd,
     _mm512_set1_pd,
     |a, b, yes, no| _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b), no, yes),
-    |x, y| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, y) != 0
+    |x, y| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, y) != 0,
+    |n| (n.look_up(&SINES), n.look_up(&COSINES))
 );
 register!(
     F64x4,
@@ -243,7 +252,8 @@ register!(
     _mm512_andnot_ps,
     _mm512_set1_ps,
     |a, b, yes, no| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), no, yes),
-    |x, y| _mm512_cmp_ps_mask::<_CMP_LT_OQ>(x, y) != 0
+    |x, y| _mm512_cmp_ps_mask::<_CMP_LT_OQ>(x, y) != 0,
+    |n| (n.look_up(&SINGLE_SINES), n.look_up(&SINGLE_COSINES))
 );
 register!(
     F32x8,
@@ -284,6 +294,35 @@ register!(
     |a, b, yes, no| _mm_blendv_ps(no, yes, _mm_cmplt_ps(a, b)),
     |x, y| _mm_movemask_ps(_mm_cmplt_ps(x, y)) != 0
 );
+
+const SINGLE_SINES: [f32; 16] = single(SINES);
+const SINGLE_COSINES: [f32; 16] = single(COSINES);
+
+const fn single(x: [f64; 16]) -> [f32; 16] {
+    let (mut out, mut k) = ([0.0; 16], 0);
+    while k < 16 {
+        out[k] = x[k] as f32;
+        k += 1;
+    }
+    out
+}
+
+impl F64x8 {
+    /// Of sixteen numbers those that the last four bits name.
+    #[inline(always)]
+    fn look_up(self, table: &[f64; 16]) -> Self {
+        let (low, high) = (Self::from_slice(table), Self::from_slice(&table[8..]));
+        Self(unsafe { _mm512_permutex2var_pd(low.0, _mm512_castpd_si512(self.0), high.0) })
+    }
+}
+
+impl F32x16 {
+    /// Of sixteen numbers those that the last four bits name.
+    #[inline(always)]
+    fn look_up(self, table: &[f32; 16]) -> Self {
+        Self(unsafe { _mm512_permutexvar_ps(_mm512_castps_si512(self.0), Self::from_slice(table).0) })
+    }
+}
 
 /// Quarter turns by the last two bits of n: the last one exchanges sine and cosine, and the one before it is the sign of a sine.
 macro_rules! quarters {
