@@ -1,9 +1,11 @@
-//! `cargo xtask explorer`: the explorer's page, its own tests, and the explorer and the report in a real browser.
+//! `cargo xtask explorer`: the explorer's page, its own tests, and the explorer and the report in a real browser; how fast it answers there.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::bench::figures::Figures;
+use crate::bench::report::{self, table, time};
 use crate::program::{build_directory, cargo, debian, output, program, root, run};
 use crate::{Outcome, oracle};
 
@@ -30,6 +32,55 @@ pub fn pictures() -> Outcome {
     let tools = Tools::prepare()?;
     run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
     tools.script("shots")
+}
+
+/// What the explorer must reach: a figure, its goal, and whether more is better.
+const GOALS: [(&str, &str, f64, bool); 4] = [
+    ("updates a second, 560 links", "updates", 20.0, true),
+    ("pictures a second, 560 links", "pictures", 10.0, true),
+    ("from a slider to the numbers, G1", "reaction", 0.05, false),
+    ("a small check after a long one was cancelled", "after a cancelled check", 3.0, false),
+];
+
+/// How fast the explorer answers in the browser, into its section of docs/performance.md; a goal that is missed is an error.
+pub fn speed() -> Outcome {
+    let tools = Tools::prepare()?;
+    run(&mut cargo(&["build", "--release", "--package", "eigenbody-cli"]))?;
+    let file = build_directory()?.join("explorer-figures");
+    let failed = |error| format!("{}: {error}", file.display());
+    fs::write(&file, "").map_err(failed)?;
+    run(tools.run("speed").env("FIGURES", &file))?;
+    let mut figures = Figures::default();
+    figures.read(&fs::read_to_string(&file).map_err(failed)?)?;
+    let text = text(&figures);
+    println!("\n{text}");
+    report::update(&root().join("docs/performance.md"), "explorer-bench", &text)?;
+    match missed(&figures).as_slice() {
+        [] => Ok(()),
+        missed => Err(format!("missed: {}", missed.join("; "))),
+    }
+}
+
+fn text(figures: &Figures) -> String {
+    let value = |x: f64, is_rate: bool| if is_rate { format!("{x:.1}") } else { time(x) };
+    let rows = GOALS.map(|(what, name, goal, is_rate)| {
+        vec![what.to_owned(), value(figures.get(name), is_rate), value(goal, is_rate)]
+    });
+    format!(
+        "{}\nMedians of three rounds; of forty moves each for the slider, the slowest of which took {}. The long check takes {} to its end.\n",
+        table("The explorer in Chromium", &["", "measured", "goal"], &rows),
+        time(figures.get("slowest reaction")),
+        time(figures.get("check")),
+    )
+}
+
+/// The goals that are missed, or were not measured.
+fn missed(figures: &Figures) -> Vec<&'static str> {
+    let met = |name, goal, is_rate| {
+        let found = figures.get(name);
+        if is_rate { found >= goal } else { found <= goal }
+    };
+    GOALS.iter().filter(|(_, name, goal, is_rate)| !met(name, *goal, *is_rate)).map(|goal| goal.0).collect()
 }
 
 /// What the page's scripts need.
@@ -71,11 +122,13 @@ impl Tools {
     }
 
     fn script(&self, name: &str) -> Outcome {
-        run(self
-            .npm(&["run", "--silent", name])
-            .env("EIGENBODY", &self.command)
-            .env("CHROMIUM", &self.browser)
-            .env("G1", &self.humanoid))
+        run(&mut self.run(name))
+    }
+
+    fn run(&self, name: &str) -> Command {
+        let mut call = self.npm(&["run", "--silent", name]);
+        call.env("EIGENBODY", &self.command).env("CHROMIUM", &self.browser).env("G1", &self.humanoid);
+        call
     }
 
     fn npm(&self, arguments: &[&str]) -> Command {
@@ -156,6 +209,13 @@ fn on_path() -> Option<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_goal_is_met_by_enough_or_by_little() {
+        let mut figures = Figures::default();
+        figures.read("updates\t20\npictures\t9.9\nreaction\t0.05").unwrap();
+        assert_eq!(missed(&figures), [GOALS[1].0, GOALS[3].0]);
+    }
 
     #[test]
     fn versions_are_compared_by_number() {

@@ -51,6 +51,11 @@ const TASKS: &[Task] = &[
         run: explorer::test,
     },
     Task {
+        name: "explorer-bench",
+        about: "how fast the explorer answers in a browser, into docs/performance.md",
+        run: explorer::speed,
+    },
+    Task {
         name: "pictures",
         about: "the guide's pictures of the explorer and of a report",
         run: explorer::pictures,
@@ -122,6 +127,6 @@ fn main() -> ExitCode {
 }
 
 fn usage() -> String {
-    let tasks = TASKS.iter().map(|task| format!("  {:<12} {}\n", task.name, task.about));
+    let tasks = TASKS.iter().map(|task| format!("  {:<14} {}\n", task.name, task.about));
     format!("cargo xtask TASK\n\n{}", tasks.collect::<String>())
 }

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "vitest";
 import { coordinates, drop, FIXTURES, g1, inked, NARROW, NO_WEBGL, reading, Server, Session, settled, spectrum, type Reading } from "./harness";
+import { cancelledCheck, countPictures, pace, reactions } from "./pace";
 
 const READINGS: Reading[] = ["kappa", "kappa_weighted", "lambda_min", "lambda_max"];
 const arm = readFileSync(join(FIXTURES, "arm.urdf"), "utf8");
@@ -237,61 +238,16 @@ test("by touch: one finger moves a joint, two zoom", async () => {
 test("a check is cancelled, and the server stops", async () => {
   const page = await session.page("m=hydra(256,1.5,0.3,0.9)&tab=file");
   await settled(page);
-  const check = page.getByRole("region", { name: "Check" });
-  await check.getByRole("button", { name: /^Check all/ }).click();
-  await check.getByText("Searching").waitFor();
-  await page.waitForTimeout(500);
-  await check.getByRole("button", { name: "Cancel the check" }).click();
-  await check.getByText("Cancelled.").waitFor();
-  // One check at a time: another one has its turn when the first has ended, which alone takes seconds.
-  const [took, whole] = await page.evaluate(async () => {
-    const token = document.querySelector<HTMLMetaElement>('meta[name="eigenbody-token"]')!.content;
-    const headers = { "X-Eigenbody-Token": token, "Content-Type": "application/json" };
-    const post = async (path: string, body: object) => (await fetch(`/api/${path}`, { method: "POST", headers, body: JSON.stringify(body) })).json();
-    const check = async (family: string, ask: object) => {
-      const { id } = (await post("model", { source: { family } })) as { id: string };
-      const start = performance.now();
-      const { findings } = (await post("check", { id, ...ask })) as { findings: object[] };
-      return [findings.length, performance.now() - start] as const;
-    };
-    const [none, small] = await check("hydra(3,1,0,1)", { samples: 64 });
-    const [some, large] = await check("hydra(256,1.5,0.3,0.9)", {});
-    return none === 0 && some > 0 ? [small, large] : [Number.NaN, Number.NaN];
-  });
+  const [took, whole] = await cancelledCheck(page);
   console.log(`a small check after a large one that was cancelled: ${took.toFixed(0)} ms; the large one to its end: ${whole.toFixed(0)} ms`);
   expect(took).toBeLessThan(whole / 2);
   session.clean();
 });
 
 test("560 links stay live", async () => {
-  // A picture is drawn when its canvas has been cleared for it.
-  const page = await session.page("m=hydra(560,1,0,1)", () => {
-    const { clear } = WebGL2RenderingContext.prototype;
-    WebGL2RenderingContext.prototype.clear = function (mask) {
-      document.documentElement.dataset["pictures"] = String(Number(document.documentElement.dataset["pictures"] ?? 0) + 1);
-      clear.call(this, mask);
-    };
-  });
+  const page = await session.page("m=hydra(560,1,0,1)", countPictures);
   await settled(page);
-  // A slider goes to and fro, as often as the page shows a frame. An update is an answer of the server in the numbers on the page;
-  // pictures are those drawn in the same time, each of the newest answer.
-  const round = () => page.evaluate(async () => {
-    const slider = document.querySelector<HTMLInputElement>('.joints input[type="range"]')!;
-    const value = document.querySelector('[data-number="kappa"]')!;
-    const pictures = () => Number(document.documentElement.dataset["pictures"]);
-    let updates = 0;
-    new MutationObserver(() => (updates += 1)).observe(value, { attributes: true, attributeFilter: ["value"] });
-    const frame = () => new Promise((done) => requestAnimationFrame(done));
-    const [start, before] = [performance.now(), pictures()];
-    for (let k = 0; performance.now() - start < 4000; k++) {
-      slider.value = String(Math.sin(k / 20));
-      slider.dispatchEvent(new Event("input", { bubbles: true }));
-      await frame();
-    }
-    const seconds = (performance.now() - start) / 1000;
-    return { updates: updates / seconds, pictures: (pictures() - before) / seconds };
-  });
-  const rounds = [await round(), await round(), await round()];
+  const rounds = [await pace(page), await pace(page), await pace(page)];
   const best = (name: "updates" | "pictures") => Math.max(...rounds.map((one) => one[name]));
   const all = rounds.map(({ updates, pictures }) => `${updates.toFixed(1)} and ${pictures.toFixed(1)}`);
   console.log(`hydra(560,1,0,1), updates and pictures a second, three rounds: ${all.join("; ")}`);
@@ -434,23 +390,7 @@ test("a humanoid: updates, base floating, base removed", async () => {
   await agrees(page, g1());
   expect(await inked(page)).toBeGreaterThan(500);
   await tab(page, "Analysis");
-  const times = await page.evaluate(async () => {
-    const slider = document.querySelector<HTMLInputElement>('.joints input[type="range"]')!;
-    const value = document.querySelector('[data-number="kappa"]')!;
-    const took: number[] = [];
-    for (let k = 0; k < 40; k++) {
-      const start = performance.now();
-      const told = new Promise((done) => {
-        const watch = new MutationObserver(() => (watch.disconnect(), done(0)));
-        watch.observe(value, { attributes: true });
-      });
-      slider.value = String(0.01 * (k + 1));
-      slider.dispatchEvent(new Event("input", { bubbles: true }));
-      await told;
-      took.push(performance.now() - start);
-    }
-    return took.sort((a, b) => a - b);
-  });
+  const times = await reactions(page);
   console.log(`G1: from slider to κ, spectrum and matrix: median ${times[20]!.toFixed(1)} ms, worst of 40 ${times.at(-1)!.toFixed(1)} ms`);
   expect(times).toHaveLength(40);
   await tab(page, "Robot");
