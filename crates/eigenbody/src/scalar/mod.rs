@@ -21,35 +21,43 @@ pub use dd::Dd;
 pub(crate) use lanes::Two;
 pub use lanes::{Array, LANES, Lane, MOST_LANES, Wide};
 pub use quad::Quad;
-pub use simd::{Algorithm, Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one};
+pub use simd::{
+    Algorithm, Batched, LaneAlgorithm, PairAlgorithm, Unit, WideAlgorithm, dispatch, dispatch_one,
+    dispatch_pair,
+};
 pub use trig::Trig;
 pub(crate) use trig::sin_cos_columns;
 
 /// What a scalar says of columns and memory that is only itself.
 macro_rules! only_itself {
     () => {
-        type Stored = Self;
+        only_itself!(Self, x => x, x => x);
+    };
+    // But for memory, where it is something else.
+    ($Stored:ty, $in_memory:ident => $load:expr, $number:ident => $store:expr) => {
+        type Stored = $Stored;
         #[inline(always)]
-        fn load(x: Self) -> Self {
-            x
+        fn load($in_memory: $Stored) -> Self {
+            $load
         }
         #[inline(always)]
-        fn store(self) -> Self {
-            self
+        fn store(self) -> $Stored {
+            let $number = self;
+            $store
         }
         type Columns = Self;
         const COLUMNS: usize = 1;
         #[inline(always)]
-        fn load_columns(x: &[Self]) -> Self {
-            x[0]
+        fn load_columns(x: &[$Stored]) -> Self {
+            Self::load(x[0])
         }
         #[inline(always)]
         fn constant_columns(x: &[Self::Constant]) -> Self {
             Self::constant(x[0])
         }
         #[inline(always)]
-        fn store_columns(x: Self, out: &mut [Self]) {
-            out[0] = x;
+        fn store_columns(x: Self, out: &mut [$Stored]) {
+            out[0] = x.store();
         }
         #[inline(always)]
         fn spread(self) -> Self {

@@ -11,7 +11,6 @@
 use super::Scalar;
 
 /// sin(n π/8), n = 0, .., 15.
-#[allow(clippy::approx_constant)]
 pub(super) const SINES: [f64; 16] = {
     const A: f64 = 0.3826834323650898;
     const B: f64 = std::f64::consts::FRAC_1_SQRT_2;

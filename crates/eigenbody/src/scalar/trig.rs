@@ -62,7 +62,7 @@ pub(super) const DOUBLE: Trig<f64> = Trig {
     ],
     sixteenths: Sixteenths {
         per_radian: 2.546_479_089_470_325_5,
-        minus_one: [-0.392_699_081_698_724_14, -1.530_808_498_523_035e-17],
+        minus_one: [-std::f64::consts::FRAC_PI_8, -1.530_808_498_523_035e-17],
         tail: Some(-4.111_564_234_081_064_4e-27),
         sin: &[
             2.753_378_851_563_021_593_4e-6,
@@ -93,7 +93,7 @@ pub(super) const SINGLE: Trig<f32> = Trig {
     cos: &[2.443_315_711_809_948e-5, -1.388_731_625_493_765e-3, 4.166_664_568_298_827e-2],
     sixteenths: Sixteenths {
         per_radian: 2.546_479_1,
-        minus_one: [-0.392_699_1, 1.092_784_7e-8],
+        minus_one: [-std::f32::consts::FRAC_PI_8, 1.092_784_7e-8],
         tail: None,
         sin: &[8.322_689_572_191_612e-3, -1.666_665_397_330_896e-1],
         cos: &[4.159_217_354_332_391e-2, -4.999_991_116_818_389e-1],

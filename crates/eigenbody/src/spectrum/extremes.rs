@@ -11,7 +11,7 @@ use super::rayleigh::{modes, quotients};
 use super::sturm::{Errors, Factors, Pencil, absolute_errors, counts};
 use crate::error::InputError;
 use crate::model::Model;
-use crate::scalar::{Array, LANES};
+use crate::scalar::{Array, LANES, Unit};
 
 /// Relative error estimate above which the double-double quotient is taken.
 const WELL_KNOWN: f64 = 1e-14;
@@ -181,7 +181,8 @@ impl Ending<'_> {
     /// Modes, error estimates and, where those ask, double-double quotients; both ends side by side.
     fn finish(&self, values: [f64; 2], gaps: [f64; 2]) -> ([Extreme; 2], [Errors; 2]) {
         let Self { model, q, pencil, .. } = self;
-        let mut factors = Factors::new(pencil);
+        // As the estimate, which in fused arithmetic is less sure of what counts hardly know.
+        let mut factors = Factors::new(pencil, Unit::Plain);
         let mut x = modes(pencil, values, &mut factors);
         let errors = absolute_errors(pencil, values, factors.motions(), &x);
         pencil.fill_base(factors.motions(), &mut x);

@@ -18,25 +18,21 @@ const ROUNDS: usize = 6;
 /// The modes of eigenvalues side by side, xᵀBx = 1 over the DoFs that take part, the largest entry (weighed by B) positive.
 ///
 /// `factors` holds those of H − shift·B afterwards, with the bodies' motions under x.
-pub(super) fn modes<const N: usize>(
-    pencil: &Pencil<f64>,
-    shifts: [f64; N],
-    factors: &mut Factors<Array<N>>,
-) -> Vec<Array<N>> {
+pub(super) fn modes(pencil: &Pencil<f64>, shifts: [f64; 2], factors: &mut Factors) -> Vec<Array<2>> {
     let B = pencil.metric();
-    let mut x: Vec<_> = start(B).into_iter().map(|x| Array([x; N])).collect();
+    let mut x: Vec<_> = start(B).into_iter().map(|x| Array([x; 2])).collect();
     normalise(&mut x, B);
     factors.factor(pencil, Array(shifts));
     // Of each mode, until it has settled.
-    let (mut growth, mut settled) = ([0.0; N], [false; N]);
+    let (mut growth, mut settled) = ([0.0; 2], [false; 2]);
     for _ in 0..ROUNDS {
         for (x, &b) in x.iter_mut().zip(B) {
-            *x *= Array([b; N]);
+            *x *= Array([b; 2]);
         }
         factors.solve(pencil, &mut x);
         let grown = normalise(&mut x, B);
         factors.scale_motions(Array::ONE / Array(grown));
-        for k in 0..N {
+        for k in 0..2 {
             // Growth is 1/|λ − σ| once the other modes have died out: it settles, or the residual 1/growth is all rounding.
             settled[k] |= growth[k] > 0.0 && (grown[k] <= 1.5 * growth[k] || grown[k] * shifts[k] > 1e12);
         }
@@ -45,7 +41,7 @@ pub(super) fn modes<const N: usize>(
         }
         growth = grown;
     }
-    let signs = Array(std::array::from_fn(|k| {
+    let signs = Array([0, 1].map(|k| {
         let weighed = x.iter().zip(B).map(|(x, b)| x.0[k] * b.sqrt());
         let largest = weighed.fold(0.0, |best: f64, x| if x.abs() > best.abs() { x } else { best });
         if largest < 0.0 { -1.0 } else { 1.0 }

@@ -50,6 +50,14 @@ pub trait Algorithm<T: Real> {
     }
 }
 
+/// An algorithm over two numbers side by side. `run` must be `#[inline(always)]`, and so must all that it calls per element.
+pub trait PairAlgorithm {
+    /// What it computes.
+    type Output;
+    /// Runs on plain numbers, or on a register of two.
+    fn run<T: Scalar<Constant = f64, Stored = Array<2>>>(self) -> Self::Output;
+}
+
 /// A unit of the processor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unit {
@@ -89,6 +97,17 @@ pub fn dispatch<A: LaneAlgorithm>(algorithm: A) -> A::Output {
         #[cfg(target_arch = "x86_64")]
         Unit::Avx2 => unsafe { x86::lanes_avx2(algorithm) },
         _ => algorithm.run::<Array<LANES>>(),
+    }
+}
+
+/// Runs an algorithm on two numbers side by side, on `unit`, or on the widest that this processor has if that is less.
+#[inline]
+pub fn dispatch_pair<A: PairAlgorithm>(unit: Unit, algorithm: A) -> A::Output {
+    match unit.min(Unit::widest()) {
+        // SAFETY: the processor has the features that the entry function is compiled for.
+        #[cfg(target_arch = "x86_64")]
+        Unit::Avx2 | Unit::Avx512 => unsafe { x86::pair_avx2(algorithm) },
+        _ => algorithm.run::<Array<2>>(),
     }
 }
 
@@ -151,7 +170,9 @@ batched!(f32, F32x8, F32x16);
 #[cfg(test)]
 mod tests {
     use super::super::lanes::{Array, LANES, Lane, MOST_LANES, Wide};
-    use super::{Batched, LaneAlgorithm, Unit, WideAlgorithm, dispatch};
+    use super::{
+        Batched, LaneAlgorithm, PairAlgorithm, Scalar, Unit, WideAlgorithm, dispatch, dispatch_pair,
+    };
 
     /// Every operation of the lane type, on awkward numbers.
     struct Everything;
@@ -194,6 +215,46 @@ mod tests {
                 assert!(same, "operation {operation}, lane {lane}: {} {}", wide[lane], plain[lane]);
             }
         }
+    }
+
+    /// The same of two numbers, out of memory and back.
+    struct EverythingOfTwo;
+
+    impl PairAlgorithm for EverythingOfTwo {
+        type Output = Vec<[f64; 2]>;
+        #[inline(always)]
+        fn run<T: Scalar<Constant = f64, Stored = Array<2>>>(self) -> Self::Output {
+            let (a, b) = (T::load(Array([1.0, -2.5e300])), T::load(Array([-0.3, 7.0])));
+            let columns = T::load_columns(&[Array([3.0, -4.0])]);
+            let mut stored = [Array::ZERO];
+            T::store_columns(columns + columns, &mut stored);
+            let (sine, cosine) = T::constant(2.0).quarters(T::constant(1.5 / f64::EPSILON + 2.0), a, b);
+            let numbers = [
+                a + b,
+                a - b,
+                a * b,
+                a / b,
+                -a,
+                a.abs(),
+                a.abs().sqrt(),
+                a.min(b),
+                a.max(b),
+                a.select_lt(b, T::ONE, T::ZERO),
+                T::constant(0.1),
+                sine,
+                cosine,
+                T::load(stored[0]),
+            ];
+            numbers.map(|x| x.store().0).to_vec()
+        }
+    }
+
+    #[test]
+    fn registers_of_two_agree_with_arrays() {
+        let (wide, plain) =
+            (dispatch_pair(Unit::Avx2, EverythingOfTwo), dispatch_pair(Unit::Plain, EverythingOfTwo));
+        assert_eq!(wide, plain);
+        assert_eq!(plain[plain.len() - 1], [6.0, -8.0]);
     }
 
     /// Rows turned into lanes, and lanes into rows.

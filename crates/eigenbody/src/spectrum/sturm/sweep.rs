@@ -20,7 +20,7 @@ pub(super) trait Pivots<T> {
 pub(super) fn sweep<T: Scalar, P: Pivots<T>>(
     pencil: &Pencil<T::Constant>,
     shift: T,
-    stack: &mut Vec<ArticulatedInertia<T>>,
+    stack: &mut Vec<ArticulatedInertia<T::Stored>>,
     pivots: &mut P,
 ) {
     let Pencil { nodes, S, .. } = pencil;

@@ -25,7 +25,7 @@ use super::rayleigh::{normalise, start};
 use super::sturm::{Diagonal, Factors, Pencil};
 use crate::error::InputError;
 use crate::model::Model;
-use crate::scalar::{Array, Scalar};
+use crate::scalar::{Array, Scalar, Unit};
 use end::{CERTIFIED, End, MARGIN, inwards, outwards};
 
 /// Error of the value, against itself, at which iteration stops.
@@ -75,7 +75,7 @@ pub struct Tracker<'m> {
     follows: bool,
     /// What inverse iteration starts from where nothing is known.
     start: Vec<f64>,
-    factors: Factors<Array<2>>,
+    factors: Factors,
     /// Both modes: the last ones, the two before, and those that are being iterated.
     x: Vec<Array<2>>,
     before: Vec<[Array<2>; 2]>,
@@ -112,7 +112,7 @@ impl<'m> Tracker<'m> {
         };
         let end = |index| End { index, values: [0.0; 4], known: 0, missed: MARGIN.1 };
         let follows = matches!(metric, Metric::UnitDiagonal);
-        let (factors, start) = (Factors::new(&pencil), start(pencil.metric()));
+        let (factors, start) = (Factors::new(&pencil, Unit::widest()), start(pencil.metric()));
         let [x, y] = [(); 2].map(|()| vec![Array::ZERO; nv]);
         let before = vec![[Array::ZERO; 2]; nv];
         let ends = [end(0), end(last)];
