@@ -8,7 +8,8 @@
 //!    hints of what will be written, which change no memory whatever the address.
 //!
 //! Dispatch happens once, around a whole algorithm: the algorithm is generic over its scalar and inlined whole into the entry
-//! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers.
+//! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers,
+//! both ends of a spectrum on one of two.
 
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86;
