@@ -22,7 +22,7 @@ pub(super) struct Places {
 
 impl Places {
     pub fn new<T: Real>(model: &Model<T>) -> Self {
-        let members = &model.mechanism.members;
+        let members = &model.mechanism().members;
         let parent = |i: usize| (members[i].parent as usize).checked_sub(1);
         let mut first = vec![0; members.len()];
         for i in 1..members.len() {

@@ -27,8 +27,8 @@ pub(super) struct Columns<W: Wide> {
 impl<W: Wide> Columns<W> {
     pub fn new(model: &Model<W::Constant>, layout: &Layout) -> Self {
         Self {
-            posture: Posture::new(&model.mechanism),
-            Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
+            posture: Posture::new(model.mechanism()),
+            Ic: vec![PseudoInertia::ZERO; model.mechanism().depth + 1],
             numbers: vec![W::ZERO; layout.numbers + W::WIDTH],
         }
     }
@@ -46,7 +46,7 @@ impl<W: Wide> Columns<W> {
     /// To q.
     #[inline(always)]
     pub fn bend(&mut self, model: &Model<W::Constant>, q: &[W]) {
-        self.posture.update_shape::<W>(&model.mechanism, q);
+        self.posture.update_shape::<W>(model.mechanism(), q);
     }
 
     /// Entries of H where it has been bent to, all pieces before them done.
@@ -54,10 +54,10 @@ impl<W: Wide> Columns<W> {
     pub fn piece(&mut self, model: &Model<W::Constant>, layout: &Layout, piece: &Piece, q: &[W]) -> &[W] {
         let Self { posture, Ic, numbers } = self;
         let (start, n) = (piece.bodies.start, piece.bodies.len());
-        let members = &model.mechanism.members[start..][..n];
+        let members = &model.mechanism().members[start..][..n];
         let subtrees = &layout.subtrees[start..][..n];
         let (sin, cos) = (&posture.sin[start..][..n], &posture.cos[start..][..n]);
-        let Ic = &mut Ic[..model.mechanism.depth + 1];
+        let Ic = &mut Ic[..model.mechanism().depth + 1];
         let (columns, rows) = numbers.split_at_mut(piece.rows);
         let (columns, _) = columns.as_chunks_mut::<SIX>();
         // What the body just done hands down, if it is the only one on the next.

@@ -228,7 +228,7 @@ impl<T: Batched, K: Kernel<T>> WideAlgorithm<T> for Over<'_, T, K> {
                 let lanes = W::WIDTH.min(count - first);
                 turn::into_lanes(&part.q[first * nq..], nq, lanes, q);
                 faults.look_at(&q[..nq]);
-                for &(_, index) in &model.mechanism.quaternions {
+                for &(_, index) in &model.quaternions {
                     faults.look_at_quaternion(&q[index as usize..]);
                 }
                 part.kernel.group(model, q, first..first + lanes, room, &mut faults, &mut failed);

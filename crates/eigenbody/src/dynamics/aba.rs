@@ -48,7 +48,7 @@ struct Hinge<T> {
 impl<T: Scalar> AbaWorkspace<T> {
     /// Room for a model.
     pub fn new(model: &Model<T::Constant>) -> Self {
-        let (levels, nv) = (model.mechanism.depth + 1, model.nv());
+        let (levels, nv) = (model.mechanism().depth + 1, model.nv());
         Self {
             bias: RneaWorkspace::new(model),
             carried: vec![(ArticulatedInertia::ZERO, Force::ZERO); levels],
@@ -138,11 +138,11 @@ impl<T: Real> Algorithm<T> for Aba<'_, T, T> {
     }
     #[inline(always)]
     fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
-        if !rooted::suits::<T>(&self.model.mechanism) {
+        if !rooted::suits::<T>(self.model.mechanism()) {
             return self.run::<S>();
         }
         let Self { model, q, v, tau, workspace: AbaWorkspace { bias, D, rooted, .. }, vdot } = self;
-        bias.posture.update::<S>(&model.mechanism, q);
+        bias.posture.update::<S>(model.mechanism(), q);
         let RneaWorkspace { posture, zeros, rooted: moving, .. } = bias;
         rooted::aba::<T, S::Columns>(model, posture, [q, v, zeros, tau], moving, rooted, (D, vdot));
     }
@@ -154,7 +154,7 @@ impl<T: Real, U: Scalar<Constant = T>> Aba<'_, T, U> {
     pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
         let Self { model, q, v, tau, workspace, vdot } = self;
         let AbaWorkspace { bias, carried, a, hinges, D, .. } = workspace;
-        bias.posture.update::<S>(&model.mechanism, q);
+        bias.posture.update::<S>(model.mechanism(), q);
         let zeros = std::mem::take(&mut bias.zeros);
         forces::<S>(model, q, v, &zeros, bias);
         bias.zeros = zeros;
@@ -177,7 +177,7 @@ fn inwards<S: Scalar>(
     hinges: &mut [Hinge<S::Stored>],
     D: &mut [S::Stored],
 ) {
-    for (i, m) in model.mechanism.members.iter().enumerate().rev() {
+    for (i, m) in model.mechanism().members.iter().enumerate().rev() {
         let (body, f_i) = (m.I.map(S::constant), f[i + 1].map(S::load));
         let (mut IA_i, mut p_i) = if m.place.leaf {
             (body.articulated(), f_i)
@@ -229,7 +229,7 @@ fn outwards<S: Scalar>(
     hinges: &[Hinge<S::Stored>],
     qdd: &mut [S::Stored],
 ) {
-    for (i, m) in model.mechanism.members.iter().enumerate() {
+    for (i, m) in model.mechanism().members.iter().enumerate() {
         let d = m.v0 as usize;
         let mut a_i = if m.parent == 0 {
             Motion::ZERO

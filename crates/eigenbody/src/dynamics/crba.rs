@@ -39,10 +39,10 @@ impl<T: Scalar> CrbaWorkspace<T> {
     /// Room for a model.
     pub fn new(model: &Model<T::Constant>) -> Self {
         Self {
-            posture: Posture::new(&model.mechanism),
-            Ic: vec![PseudoInertia::ZERO; model.mechanism.depth + 1],
-            F: [0; ROWS].map(|_| vec![T::ZERO; model.mechanism.slots.len()]),
-            rooted: rooted::CrbaRoom::new(&model.mechanism),
+            posture: Posture::new(model.mechanism()),
+            Ic: vec![PseudoInertia::ZERO; model.mechanism().depth + 1],
+            F: [0; ROWS].map(|_| vec![T::ZERO; model.mechanism().slots.len()]),
+            rooted: rooted::CrbaRoom::new(model.mechanism()),
         }
     }
 }
@@ -152,11 +152,11 @@ impl<T: Real> Algorithm<T> for Crba<'_, T> {
     }
     #[inline(always)]
     fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
-        if !(rooted::suits::<T>(&self.model.mechanism) && self.model.mechanism.ascending) {
+        if !(rooted::suits::<T>(self.model.mechanism()) && self.model.mechanism().ascending) {
             return self.run::<S>();
         }
         let Self { model, q, workspace: CrbaWorkspace { posture, rooted, .. }, H, both } = self;
-        posture.update_shape::<S>(&model.mechanism, q);
+        posture.update_shape::<S>(model.mechanism(), q);
         rooted::crba::<T, S::Columns>(model, posture, q, rooted, H, both);
     }
 }
@@ -176,8 +176,8 @@ fn crba<T: Real, S: Scalar<Constant = T, Stored = T>>(
     CrbaWorkspace { posture, Ic, F, .. }: &mut CrbaWorkspace<T>,
     H: &mut Rows<'_, T>,
 ) {
-    let Mechanism { members, slots, .. } = &model.mechanism;
-    posture.update_shape::<S>(&model.mechanism, q);
+    let Mechanism { members, slots, .. } = model.mechanism();
+    posture.update_shape::<S>(model.mechanism(), q);
     for (i, m) in members.iter().enumerate().rev() {
         let mut Ic_i = m.I.map(S::constant);
         if !m.place.leaf {

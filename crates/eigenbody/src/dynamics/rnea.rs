@@ -50,11 +50,11 @@ impl<T: Scalar> RneaWorkspace<T> {
         let n = model.bodies.len() + 1;
         let still = Moving { omega: Vec3::ZERO, alpha: Vec3::ZERO, a: Vec3::ZERO, Psi: Mat3::ZERO };
         Self {
-            posture: Posture::new(&model.mechanism),
-            path: vec![still; model.mechanism.depth + 1],
+            posture: Posture::new(model.mechanism()),
+            path: vec![still; model.mechanism().depth + 1],
             f: vec![Force::ZERO; n],
             zeros: vec![T::ZERO; model.nv()],
-            rooted: rooted::RneaRoom::new(&model.mechanism),
+            rooted: rooted::RneaRoom::new(model.mechanism()),
         }
     }
 }
@@ -134,11 +134,11 @@ impl<T: Real> Algorithm<T> for Rnea<'_, T, T> {
     }
     #[inline(always)]
     fn run_in_fours<S: Scalar<Constant = T, Stored = T, Columns: Quad<T>>>(self) {
-        if !rooted::suits::<T>(&self.model.mechanism) {
+        if !rooted::suits::<T>(self.model.mechanism()) {
             return self.run::<S>();
         }
         let Self { model, q, v, vdot, workspace: RneaWorkspace { posture, rooted, .. }, tau } = self;
-        posture.update::<S>(&model.mechanism, q);
+        posture.update::<S>(model.mechanism(), q);
         rooted::rnea::<T, S::Columns>(model, posture, [q, v, vdot], rooted, tau);
     }
 }
@@ -148,7 +148,7 @@ impl<T: Real, U: Scalar<Constant = T>> Rnea<'_, T, U> {
     #[inline(always)]
     pub fn sweep<S: Scalar<Constant = T, Stored = U>>(self) {
         let Self { model, q, v, vdot, workspace, tau } = self;
-        workspace.posture.update::<S>(&model.mechanism, q);
+        workspace.posture.update::<S>(model.mechanism(), q);
         rnea::<S>(model, q, v, vdot, workspace, tau);
     }
 }
@@ -165,7 +165,7 @@ pub(super) fn rnea<S: Scalar>(
 ) {
     forces::<S>(model, q, qd, qdd, workspace);
     let RneaWorkspace { posture, f, .. } = workspace;
-    for (i, m) in model.mechanism.members.iter().enumerate().rev() {
+    for (i, m) in model.mechanism().members.iter().enumerate().rev() {
         let (d, f_i) = (m.v0 as usize, f[i + 1].map(S::load));
         let armature = |d: usize| S::constant(model.armature[d]) * S::load(qdd[d]);
         match m.motion {
@@ -208,7 +208,7 @@ pub(super) fn forces<S: Scalar>(
     qdd: &[S::Stored],
     RneaWorkspace { posture, path, f, .. }: &mut RneaWorkspace<S::Stored>,
 ) {
-    let Mechanism { members, .. } = &model.mechanism;
+    let Mechanism { members, .. } = model.mechanism();
     path[0].a = (-model.gravity.map(S::constant)).map(S::store);
     for (i, m) in members.iter().enumerate() {
         let (before, rest) = path.split_at_mut(m.level as usize);

@@ -4,7 +4,7 @@ use super::body::{Body, JointInfo, LinkInfo, WORLD};
 use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
 use super::error::BuildError;
 use super::topology::{Node, pre_order};
-use super::{DofTree, MAX_BODIES, Mechanism, Model, canonical, coupling, finding};
+use super::{Deferred, DofTree, MAX_BODIES, Model, canonical, coupling, finding};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, RigidInertia, Transform, Vec3};
@@ -63,9 +63,10 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
         nq: joints.iter().map(|j| j.kind.nq()).sum(),
         floating_base: base == Base::Floating,
         gravity: robot.gravity,
-        mechanism: Mechanism::new(&bodies, &joints),
         bodies,
+        mechanism: Deferred::default(),
         links,
+        quaternions: quaternions(&joints),
         joints,
         dofs,
         dof_joint,
@@ -73,6 +74,12 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
         coupling,
         findings,
     })
+}
+
+/// The joints whose coordinates hold a quaternion, and where it begins in q.
+fn quaternions<T: Real>(joints: &[JointInfo<T>]) -> Vec<(u32, u32)> {
+    let start = |joint: &JointInfo<T>| joint.kind.quaternion().map(|at| joint.q0 + at as u32);
+    (0..).zip(joints).filter_map(|(index, joint)| Some((index, start(joint)?))).collect()
 }
 
 fn check_links<T: Real>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {

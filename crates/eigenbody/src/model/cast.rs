@@ -2,7 +2,7 @@
 
 use super::body::{Body, JointInfo, LinkInfo};
 use super::coupling::Coupling;
-use super::{Mechanism, Model};
+use super::{Deferred, Model};
 use crate::scalar::Real;
 
 impl Model<f64> {
@@ -30,14 +30,13 @@ impl Model<f64> {
             v0: j.v0,
             limits: j.limits.map(|(lower, upper)| (f(lower), f(upper))),
         };
-        let bodies: Vec<Body<U>> = self.bodies.iter().map(body).collect();
-        let joints: Vec<JointInfo<U>> = self.joints.iter().map(joint).collect();
         Model {
             name: self.name.clone(),
-            mechanism: Mechanism::new(&bodies, &joints),
-            bodies,
+            bodies: self.bodies.iter().map(body).collect(),
+            mechanism: Deferred::default(),
             links: self.links.iter().map(link).collect(),
-            joints,
+            joints: self.joints.iter().map(joint).collect(),
+            quaternions: self.quaternions.clone(),
             dofs: self.dofs.clone(),
             dof_joint: self.dof_joint.clone(),
             armature: self.armature.iter().copied().map(f).collect(),

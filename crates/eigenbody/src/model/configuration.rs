@@ -48,7 +48,7 @@ impl<T: Real> Model<T> {
     #[inline]
     pub fn check_q(&self, q: &[T]) -> Result<(), InputError> {
         check("q", q, self.nq)?;
-        match self.mechanism.quaternions.is_empty() {
+        match self.quaternions.is_empty() {
             true => Ok(()),
             false => self.check_quaternions(q),
         }
@@ -56,7 +56,7 @@ impl<T: Real> Model<T> {
 
     /// Refuses a q with a quaternion that is not a unit one.
     pub(crate) fn check_quaternions(&self, q: &[T]) -> Result<(), InputError> {
-        for &(joint, index) in &self.mechanism.quaternions {
+        for &(joint, index) in &self.quaternions {
             let index = index as usize;
             let square = q[index..index + 4].iter().map(|x| x.to_f64() * x.to_f64()).sum::<f64>();
             // Mostly the square is near enough, and no root has to be taken.

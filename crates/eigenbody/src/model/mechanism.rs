@@ -1,13 +1,40 @@
 //! The model as the kernels of `dynamics` see it: in frames between which little is left to compute.
 
-use super::body::{Body, JointInfo, WORLD};
+use super::Model;
+use super::body::{Body, WORLD};
 use super::frames::{Frames, Standing, Twist};
 use crate::joint::Joint;
 use crate::scalar::{MOST_COLUMNS, Real};
 use crate::spatial::{Mat3, PseudoInertia, Vec3};
 use std::ops::Range;
+use std::sync::OnceLock;
 
-/// The bodies in pre-order, what their joints' angles are counted from, and where quaternions stand.
+/// A mechanism from when it is first asked for: eigenvalues of long chains are counted without one.
+#[derive(Debug, Clone)]
+pub(crate) struct Deferred<T>(OnceLock<Mechanism<T>>);
+
+impl<T> Default for Deferred<T> {
+    fn default() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
+/// It follows from the rest of the model.
+impl<T> PartialEq for Deferred<T> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl<T: Real> Model<T> {
+    /// The model as the kernels see it.
+    #[inline(always)]
+    pub(crate) fn mechanism(&self) -> &Mechanism<T> {
+        self.mechanism.0.get_or_init(|| Mechanism::new(&self.bodies))
+    }
+}
+
+/// The bodies in pre-order, and what their joints' angles are counted from.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mechanism<T> {
     pub members: Vec<Member<T>>,
@@ -29,8 +56,6 @@ pub(crate) struct Mechanism<T> {
     pub zeros: Vec<u32>,
     /// Nobody's degrees of freedom come before those of the body that carries it.
     pub ascending: bool,
-    /// The joints whose coordinates hold a quaternion, and where it begins in q.
-    pub quaternions: Vec<(u32, u32)>,
     /// The longest path from the world, in bodies.
     pub depth: usize,
 }
@@ -134,12 +159,9 @@ pub(crate) enum MotionKind {
 }
 
 impl<T: Real> Mechanism<T> {
-    pub fn new(bodies: &[Body<T>], joints: &[JointInfo<T>]) -> Self {
+    fn new(bodies: &[Body<T>]) -> Self {
         let mut frames = Frames::new(bodies);
-        let quaternion = |(index, joint): (u32, &JointInfo<T>)| {
-            joint.kind.quaternion().map(|at| (index, joint.q0 + at as u32))
-        };
-        let nv: usize = joints.iter().map(|joint| joint.kind.nv()).sum();
+        let nv: usize = bodies.iter().map(|body| body.joint.nv()).sum();
         let mut mechanism = Self {
             slots: Vec::new(),
             blocks: Vec::new(),
@@ -147,7 +169,6 @@ impl<T: Real> Mechanism<T> {
             zeros: Vec::new(),
             full: false,
             ascending: true,
-            quaternions: (0..).zip(joints).filter_map(quaternion).collect(),
             depth: 0,
             members: Vec::with_capacity(bodies.len()),
             angles: Vec::with_capacity(bodies.len()),
@@ -317,7 +338,7 @@ mod tests {
             (3, Base::Floating, vec![0, 1, 2, 3, 4, 5, E, E, 6, 7, 8, E]),
             (6, Base::Floating, (0..12).collect()),
         ] {
-            let mechanism = chain(n, base).mechanism;
+            let mechanism = chain(n, base).mechanism().clone();
             assert_eq!(mechanism.slots, slots, "{n}, {base:?}");
             assert_eq!(mechanism.blocks.len(), slots.len() / COLUMNS);
         }

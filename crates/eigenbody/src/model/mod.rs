@@ -24,7 +24,7 @@ pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};
 pub use finding::Finding;
 pub(crate) use frames::{Twist, with_turn, with_twist};
-pub(crate) use mechanism::{Block, COLUMNS, EMPTY, Mechanism, Member, MotionKind, SMALL};
+pub(crate) use mechanism::{Block, COLUMNS, Deferred, EMPTY, Mechanism, Member, MotionKind, SMALL};
 pub use random::Random;
 
 use crate::error::InputError;
@@ -37,16 +37,18 @@ pub const MAX_BODIES: usize = 10_000_000;
 /// Largest nv for which a dense nv × nv matrix is formed (3.2 GB in f64).
 pub const DENSE_LIMIT: usize = 20_000;
 
-/// A kinematic tree of rigid bodies: immutable, every derived table made when it was built.
+/// A kinematic tree of rigid bodies: immutable; what follows from it is computed once.
 ///
 /// Bodies stand in pre-order; degrees of freedom in the order in which the joints were added.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model<T> {
     pub(crate) name: String,
     pub(crate) bodies: Vec<Body<T>>,
-    pub(crate) mechanism: Mechanism<T>,
+    pub(crate) mechanism: Deferred<T>,
     pub(crate) links: Vec<LinkInfo<T>>,
     pub(crate) joints: Vec<JointInfo<T>>,
+    /// The joints whose coordinates hold a quaternion, and where it begins in q.
+    pub(crate) quaternions: Vec<(u32, u32)>,
     pub(crate) dofs: DofTree,
     pub(crate) dof_joint: Vec<u32>,
     pub(crate) armature: Vec<T>,
@@ -131,7 +133,7 @@ impl<T: Scalar> Model<T> {
             return Err(InputError::NotFinite { what: "inertia", index });
         }
         self.bodies[body].I = self.links[link].link_from_body().transpose_rigid(inertia);
-        self.mechanism = Mechanism::new(&self.bodies, &self.joints);
+        self.mechanism = Deferred::default();
         Ok(self)
     }
 

@@ -57,7 +57,7 @@ pub(in crate::dynamics) struct AbaRoom<T> {
 
 impl<T: Scalar> AbaRoom<T> {
     pub fn new(model: &Model<T::Constant>) -> Self {
-        let n = if suits::<T>(&model.mechanism) { model.mechanism.members.len() } else { 0 };
+        let n = if suits::<T>(model.mechanism()) { model.mechanism().members.len() } else { 0 };
         let o = [T::ZERO; 4];
         Self {
             waiting: vec![Line([o; 11]); n],
@@ -79,7 +79,7 @@ pub(in crate::dynamics) fn aba<T: Real, Q: Quad<T>>(
 ) {
     move_all::<T, Q>(model, posture, [q, qd, zeros], room);
     let RneaRoom { stands, moving, .. } = room;
-    let members = &model.mechanism.members;
+    let members = &model.mechanism().members;
     let o = Vec3::new(Q::ZERO, Q::ZERO, Q::ZERO);
     let mut next = (Articulated { I: o, H: o, M: o }, Wrench { n: Q::ZERO, f: Q::ZERO });
     for i in (0..members.len()).rev() {
@@ -151,7 +151,7 @@ fn accelerate<T: Real, Q: Quad<T>>(
     delta: &mut [Line<[[T; 4]; 2]>],
     qdd: &mut [T],
 ) {
-    for (i, m) in model.mechanism.members.iter().enumerate() {
+    for (i, m) in model.mechanism().members.iter().enumerate() {
         let at = &stands[i];
         let (mut ang, mut lin) = match (m.parent as usize).checked_sub(1) {
             None => (Q::ZERO, Q::ZERO),

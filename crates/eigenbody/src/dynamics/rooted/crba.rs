@@ -57,7 +57,7 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
     Rows { numbers: H, stride }: Rows<'_, T>,
     both: bool,
 ) {
-    let Mechanism { members, blocks, reach, zeros, full, .. } = &model.mechanism;
+    let Mechanism { members, blocks, reach, zeros, full, .. } = model.mechanism();
     match both {
         true if *full => (),
         true => H.fill(T::ZERO),
@@ -65,7 +65,7 @@ pub(in crate::dynamics) fn crba<T: Real, Q: Quad<T>>(
     }
     let (members, blocks, armature) = (members.as_slice(), blocks.as_slice(), model.armature.as_slice());
     let n = members.len();
-    stand::<T, Q>(&model.mechanism, posture, q, stands);
+    stand::<T, Q>(model.mechanism(), posture, q, stands);
     let (stands, waiting) = (&stands[..n], &mut waiting[..n]);
     let F = &mut F[..blocks.len()];
     let mut next = Moments { h: Q::ZERO, P: Vec3::ZERO };

@@ -58,7 +58,7 @@ pub(in crate::dynamics) fn rnea<T: Real, Q: Quad<T>>(
 ) {
     move_all::<T, Q>(model, posture, [q, qd, qdd], room);
     let RneaRoom { stands, moving, waiting } = room;
-    let members = &model.mechanism.members;
+    let members = &model.mechanism().members;
     let mut next = (Q::ZERO, Q::ZERO);
     for i in (0..members.len()).rev() {
         let (m, at) = (&members[i], &stands[i]);
@@ -105,10 +105,10 @@ pub(super) fn move_all<T: Real, Q: Quad<T>>(
     [q, qd, qdd]: [&[T]; 3],
     RneaRoom { stands, moving, .. }: &mut RneaRoom<T>,
 ) {
-    stand::<T, Q>(&model.mechanism, posture, q, stands);
-    let n = model.mechanism.members.len();
+    stand::<T, Q>(model.mechanism(), posture, q, stands);
+    let n = model.mechanism().members.len();
     let (stands, moving) = (&stands[..n], &mut moving[..n]);
-    for (i, m) in model.mechanism.members.iter().enumerate() {
+    for (i, m) in model.mechanism().members.iter().enumerate() {
         let at = &stands[i];
         let (omega, alpha, a) = match (m.parent as usize).checked_sub(1) {
             None => (Q::ZERO, Q::ZERO, at_root(m, i, posture, -model.gravity)),
