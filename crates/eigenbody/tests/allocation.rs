@@ -14,7 +14,7 @@ use eigenbody::factor::{
 };
 use eigenbody::scalar::{Dd, Real};
 use eigenbody::spectrum::{EndsAtWorkspace, Metric, extreme_eigenvalues_at};
-use eigenbody::{Base, Family, Matrix, Model};
+use eigenbody::{Base, Family, Matrix, Method, Model, Posture, Question, conditioning_at};
 use std::collections::BTreeSet;
 
 /// Fixed and floating robots whose joints are, together, of every kind.
@@ -76,6 +76,20 @@ fn dynamics_allocate_nothing<T: Real>() {
         assert_none("energy", || _ = energy_into(&model, &q, &v, &mut sweep).unwrap());
         assert_none("pose", || _ = link_pose(&model, &q, model.links().len() - 1).unwrap());
     }
+}
+
+/// From the family to κ, κ′ and both modes: what only kernels use is not made.
+#[test]
+fn a_spectrum_by_counts_takes_less_than_a_kilobyte_a_body() {
+    let n = 20_000;
+    let counted = measure(|| {
+        let model: Model<f64> = Family::hydra(n, 1.0, 0.0, 1.0).unwrap().model().unwrap();
+        let q = Posture::Zag(0.0).configuration(&model);
+        let question = Question { method: Method::Sturm, ..Question::default() };
+        assert!(conditioning_at(&model, &q, &question).unwrap().kappa.is_some());
+    });
+    let a_body = counted.bytes_max / n as u64;
+    assert!((600..1000).contains(&a_body), "{a_body} bytes a body");
 }
 
 /// The second call of a batch finds what the first one left; a thread alone counts.

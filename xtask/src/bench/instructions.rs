@@ -47,12 +47,13 @@ fn runner(directory: &Path) -> Result<PathBuf, String> {
     Ok(runner)
 }
 
-/// `instructions::engine::sweep chain:..` and then `Instructions: 1168310|..`, as `instructions sweep chain`, tab, number.
+/// `instructions::group::sweep chain:..` and then `Instructions: 1168310|..`, as `instructions sweep chain`, tab, number.
 fn lines(text: &str) -> String {
     let mut name = "";
     let mut found = String::new();
     for line in text.lines() {
-        if let Some(title) = line.strip_prefix("instructions::engine::") {
+        if let Some((_, title)) = line.strip_prefix("instructions::").and_then(|title| title.split_once("::"))
+        {
             name = title.split(':').next().unwrap_or(title);
         } else if let Some(count) = line.trim().strip_prefix("Instructions:") {
             let count = count.trim().split('|').next().unwrap_or_default();
@@ -72,11 +73,13 @@ mod tests {
 instructions::engine::sweep chain:(pencil(1000, 1.0, 0.0))
   Instructions:                                    1168310|1168300              (+0.00086%) [+1.00001x]
   L1 Hits:                                         1873829|N/A                  (*********)
+instructions::kernels::inverse arm:(arm())
+  Instructions:                                       2994|2987                 (+0.23435%) [+1.00234x]
 
 Regressions:
   instructions::engine::sweep chain:
     Callgrind: Instructions (1168310): 1168310 exceeds limit of 1000000 by 168310
 ";
-        assert_eq!(lines(text), "instructions sweep chain\t1168310\n");
+        assert_eq!(lines(text), "instructions sweep chain\t1168310\ninstructions inverse arm\t2994\n");
     }
 }

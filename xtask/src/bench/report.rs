@@ -152,7 +152,7 @@ fn counts(figures: &Figures) -> String {
     if rows.is_empty() {
         return "Instructions were not counted: Valgrind is not installed.\n".into();
     }
-    let title = "Instructions (sweeps: N = 1000; cold extremes: N = 100; AVX2, Valgrind's widest unit)";
+    let title = "Instructions, on AVX2 (sweeps: N = 1000; cold extremes: N = 100; batches: 64 states; else one state)";
     table(title, &["", "instructions"], &rows)
 }
 
