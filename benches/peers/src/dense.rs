@@ -32,12 +32,12 @@ impl Robot {
         Ok(Self { model, q })
     }
 
-    fn pencil(&self) -> Pencil<f64> {
+    fn pencil(&self) -> Pencil<'_, f64> {
         Pencil::new(&self.model, &self.q, vec![1.0; self.model.nv()]).expect("q fits")
     }
 
     fn extremes(&self) -> Extremes {
-        extremes(&self.model, &self.q, &self.pencil(), Precision::Auto).expect("the pencil fits")
+        extremes(&self.pencil(), Precision::Auto).expect("the pencil fits")
     }
 
     fn mass_matrix(&self) -> Matrix<f64> {
@@ -76,9 +76,10 @@ pub fn time() -> Outcome {
     let mut pencils = Vec::new();
     for (name, branching, skew) in [("chain", 1.0, 0.0), ("tree", 2.0, 0.5)] {
         for n in SWEPT {
-            pencils.push((format!("sweep {name} {n}"), Robot::new(n, branching, skew)?.pencil()));
+            pencils.push((format!("sweep {name} {n}"), Robot::new(n, branching, skew)?));
         }
     }
+    let pencils: Vec<_> = pencils.iter().map(|(name, robot)| (name, robot.pencil())).collect();
 
     let mut clock = Clock::default();
     for (n, robot) in LARGE.iter().zip(&large) {

@@ -112,25 +112,17 @@ impl Posed {
         Ok(self.reduction.mass_matrix(&self.model, &self.q)?)
     }
 
-    fn pencil(&self, metric: &Metric<f64>) -> Result<Pencil<f64>, StudyError> {
+    fn pencil(&self, metric: &Metric<f64>) -> Result<Pencil<'_, f64>, StudyError> {
         let Self { model, q, reduction } = self;
-        let unit = vec![1.0; model.nv()];
-        let pencil = match reduction.base {
-            true => Pencil::free_floating(model, q, unit)?,
-            false => Pencil::new(model, q, unit)?,
-        };
-        let (dofs, own) = (reduction.dofs(model), pencil.diagonal());
-        let diagonal: Vec<f64> = dofs.iter().map(|&d| own[d]).collect();
-        let weights = metric.weights_for(&diagonal, |row| model.is_translation(dofs[row]))?;
-        let mut B = vec![0.0; model.nv()];
-        dofs.iter().zip(weights).for_each(|(&d, b)| B[d] = b);
+        let pencil = Pencil::euclidean(model, q, reduction.base)?;
+        let B = pencil.weights(metric, &pencil.diagonal())?;
         Ok(pencil.with_metric(B)?)
     }
 
     /// Both ends of the spectrum, in O(N).
     pub fn ends_in(&self, metric: &Metric<f64>) -> Result<Ends, StudyError> {
         let pencil = self.pencil(metric)?;
-        let Extremes { min, max, .. } = extremes(&self.model, &self.q, &pencil, Precision::Auto)?;
+        let Extremes { min, max, .. } = extremes(&pencil, Precision::Auto)?;
         let min = min.map_err(|_| StudyError::Unresolved { robot: self.model.name().to_owned() })?.value;
         let stiffest = self.reduction.dofs(&self.model).into_iter().map(|d| max.vector[d]).collect();
         Ok(Ends { min, max: max.value, stiffest })

@@ -32,9 +32,9 @@ fn robot(n: usize, branching: f64, skew: f64) -> (Model<f64>, Vec<f64>) {
     (model, q)
 }
 
-fn pencil(n: usize, branching: f64, skew: f64) -> Pencil<f64> {
+fn pencil(n: usize, branching: f64, skew: f64) -> Pencil<'static, f64> {
     let (model, q) = robot(n, branching, skew);
-    Pencil::new(&model, &q, vec![1.0; n]).unwrap()
+    Pencil::euclidean(Box::leak(Box::new(model)), &q, false).unwrap()
 }
 
 const SHIFTS: [f64; 8] = [1e-3, 1e-2, 0.1, 1.0, 10.0, 1e2, 1e3, 1e4];
@@ -49,7 +49,7 @@ fn at_most(instructions: u64) -> LibraryBenchmarkConfig {
 #[library_benchmark]
 #[bench::chain(args = (1000, 1.0, 0.0), setup = pencil, config = at_most(860_000))]
 #[bench::tree(args = (1000, 2.0, 0.5), setup = pencil, config = at_most(1_480_000))]
-fn sweep(pencil: Pencil<f64>) -> [Count; 8] {
+fn sweep(pencil: Pencil<'static, f64>) -> [Count; 8] {
     counts(&pencil, black_box(SHIFTS))
 }
 
@@ -58,8 +58,7 @@ fn sweep(pencil: Pencil<f64>) -> [Count; 8] {
 #[bench::chain(args = (100, 1.0, 0.0), setup = robot, config = at_most(1_640_000))]
 #[bench::tree(args = (100, 2.0, 0.5), setup = robot, config = at_most(2_760_000))]
 fn cold((model, q): (Model<f64>, Vec<f64>)) -> Extremes {
-    let pencil = Pencil::new(&model, &q, vec![1.0; model.nv()]).unwrap();
-    extremes(&model, &q, &pencil, Precision::Auto).unwrap()
+    extremes(&Pencil::euclidean(&model, &q, false).unwrap(), Precision::Auto).unwrap()
 }
 
 /// A robot with a state and everything that a kernel asks for.

@@ -86,10 +86,8 @@ pub fn fig19(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     push_links(&mut table, "", "fixed, N = 10", &fixed.model, &q, 1.0)?;
 
     let free = lab.pose(&freed(10)?, Posture::Zag(0.0))?;
-    let mut B = vec![1.0; free.model.nv()];
-    B[..6].fill(0.0);
-    let pencil = Pencil::free_floating(&free.model, &free.q, vec![1.0; free.model.nv()])?.with_metric(B)?;
-    let stiffest = extremes(&free.model, &free.q, &pencil, Precision::Auto)?.max;
+    let pencil = Pencil::euclidean(&free.model, &free.q, true)?;
+    let stiffest = extremes(&pencil, Precision::Auto)?.max;
     let x = &stiffest.vector;
     let sign = x[6].signum();
     let joints = &x[6..];

@@ -67,7 +67,7 @@ enum Work<'m> {
         restarts: u64,
     },
     Diagonal {
-        room: Option<Box<(Pencil<f64>, Diagonal<f64>)>>,
+        room: Option<Box<(Pencil<'m, f64>, Diagonal<f64>)>>,
         ratio: f64,
     },
     /// Mimic joints leave no tree: H and its eigenvalues.
@@ -311,19 +311,14 @@ impl<'m> Work<'m> {
             },
             Self::Diagonal { room, ratio } => {
                 if room.is_none() {
-                    let unit = vec![1.0; model.nv()];
-                    let pencil = match reduction.base {
-                        true => Pencil::free_floating(model, q, unit)?,
-                        false => Pencil::new(model, q, unit)?,
-                    };
+                    let pencil = Pencil::euclidean(model, q, reduction.base)?;
                     let diagonal = Diagonal::new(&pencil);
                     *room = Some(Box::new((pencil, diagonal)));
                 }
                 let Some(room) = room else { return Ok(()) };
                 let (pencil, diagonal) = room.as_mut();
-                pencil.update(model, q)?;
-                let from = if reduction.base { 6 } else { 0 };
-                let own = &diagonal.update(pencil)[from..];
+                pencil.update(q)?;
+                let own = &diagonal.update(pencil)[pencil.removed()..];
                 let (min, max) =
                     own.iter().fold((f64::INFINITY, 0.0f64), |(min, max), &x| (x.min(min), x.max(max)));
                 *ratio = max / min;

@@ -45,7 +45,7 @@ pub struct About {
 }
 
 /// What the tracker promises.
-const TRACKED: &str = "exact: residual at most 1e-10 λ, its place in the spectrum certified by count";
+const TRACKED: &str = "exact: to 3e-13 of itself, its place in the spectrum certified by count";
 /// What the tracker costs.
 const SWEEP: &str = "about one O(N) factor-and-solve, shared by both ends";
 
@@ -83,7 +83,7 @@ impl Quantity {
                 "modes",
                 "softest and stiffest mode",
                 "with kappa",
-                "angle at most 1e-10 λ over the gap to the next eigenvalue",
+                "angle at most 6e-7 √(λ/gap), gap to the next eigenvalue",
             ),
             Self::DiagonalRatio => about(
                 "diagonal_ratio",

@@ -258,7 +258,6 @@ pub fn judge(subject: &Subject, motion: Motion) -> Result<Judgement, StudyError>
     let Subject { name, group, model } = subject;
     let (path, ended) = configurations(subject, motion)?;
     let free_floating = subject.reduction().base;
-    let removed = if free_floating { 6 } else { 0 };
     let mut found = Judgement {
         name: name.clone(),
         group: *group,
@@ -274,11 +273,7 @@ pub fn judge(subject: &Subject, motion: Motion) -> Result<Judgement, StudyError>
     let Some(first) = path.first() else { return Ok(found) };
     let start = |metric| Tracker::new(model, first, &metric, free_floating);
     let (mut euclidean, mut weighted) = (start(Metric::Euclidean)?, start(Metric::UnitDiagonal)?);
-    let unit = vec![1.0; model.nv()];
-    let mut pencil = match free_floating {
-        true => Pencil::free_floating(model, first, unit)?,
-        false => Pencil::new(model, first, unit)?,
-    };
+    let mut pencil = Pencil::euclidean(model, first, free_floating)?;
     let mut diagonal = Diagonal::new(&pencil);
     let mut scale = None;
     let every = if found.dofs > 500 { 10 } else { 1 };
@@ -287,11 +282,11 @@ pub fn judge(subject: &Subject, motion: Motion) -> Result<Judgement, StudyError>
         let scaled = weighted.update(q)?;
         found.factorisations += ends.iter().map(|end| end.factorisations as f64).sum::<f64>();
         found.restarts += ends.iter().filter(|end| end.restarted).count();
-        pencil.update(model, q)?;
+        pencil.update(q)?;
         if k % every == 0 {
-            check(model, q, &pencil, ends.map(|end| end.value), &mut found)?;
+            check(&pencil, ends.map(|end| end.value), &mut found)?;
         }
-        let own = &diagonal.update(&pencil)[removed..];
+        let own = &diagonal.update(&pencil)[pencil.removed()..];
         let (min, max) = own.iter().fold((f64::INFINITY, 0.0f64), |(min, max), &x| (x.min(min), x.max(max)));
         let (kappa, ratio) = (ends[1].value / ends[0].value, max / min);
         if !(kappa.is_finite() && ratio.is_finite() && ends[0].value > 0.0) {
@@ -310,14 +305,8 @@ pub fn judge(subject: &Subject, motion: Motion) -> Result<Judgement, StudyError>
 }
 
 /// The tracker's ends against the engine's.
-fn check(
-    model: &Model<f64>,
-    q: &[f64],
-    pencil: &Pencil<f64>,
-    tracked: [f64; 2],
-    found: &mut Judgement,
-) -> Result<(), StudyError> {
-    let cold = extremes(model, q, pencil, Precision::Auto)?;
+fn check(pencil: &Pencil<'_, f64>, tracked: [f64; 2], found: &mut Judgement) -> Result<(), StudyError> {
+    let cold = extremes(pencil, Precision::Auto)?;
     for (end, tracked) in [cold.min.ok(), Some(cold.max)].into_iter().zip(tracked) {
         match end.filter(|end| end.error_estimate <= KNOWN) {
             Some(end) => found.tracker_error = found.tracker_error.max((tracked / end.value - 1.0).abs()),
@@ -338,11 +327,7 @@ pub fn cost(subject: &Subject) -> Result<Cost, StudyError> {
     let path = &path[..path.len().min(200)];
     let reduction = subject.reduction();
     let mut tracker = Tracker::new(model, &path[0], &Metric::Euclidean, reduction.base)?;
-    let unit = vec![1.0; model.nv()];
-    let mut pencil = match reduction.base {
-        true => Pencil::free_floating(model, &path[0], unit)?,
-        false => Pencil::new(model, &path[0], unit)?,
-    };
+    let mut pencil = Pencil::euclidean(model, &path[0], reduction.base)?;
     let mut diagonal = Diagonal::new(&pencil);
     let few = if subject.dofs() > 500 { 2 } else { 20 };
     let mut best = [f64::INFINITY; 4];
@@ -358,7 +343,7 @@ pub fn cost(subject: &Subject) -> Result<Cost, StudyError> {
         take(0, start, path.len());
         let start = Instant::now();
         for q in path {
-            pencil.update(model, q)?;
+            pencil.update(q)?;
             black_box(diagonal.update(&pencil));
         }
         take(1, start, path.len());

@@ -14,6 +14,9 @@ use std::ops::Range;
 /// Up to so many rows, two triangles fit into the nearest memory, and both metrics are taken together.
 const TOGETHER: usize = 20;
 
+/// Largest eigenvalues whose matrices, squared, stay within the range of numbers.
+const RANGE: Range<f64> = 1e-100..1e100;
+
 /// What is asked of every configuration.
 pub(super) struct Spectra<'a> {
     pub q: &'a [f64],
@@ -140,7 +143,7 @@ impl Spectra<'_> {
     /// That rounding leaves λmin as good as asked. A ratio that is not a number is not known either.
     #[inline(always)]
     fn known(&self, least: f64, largest: f64) -> bool {
-        self.layout.nv as f64 * f64::EPSILON * largest <= self.accuracy * least
+        RANGE.contains(&largest) && self.layout.nv as f64 * f64::EPSILON * largest <= self.accuracy * least
     }
 }
 
@@ -166,19 +169,16 @@ fn by_counts(
     weights: &[f64],
     weighted: bool,
 ) -> Result<Values, Error> {
-    let pencil = Pencil::new(model, q, vec![1.0; model.nv()])?;
+    let pencil = Pencil::euclidean(model, q, false)?;
     let own = pencil.diagonal();
     let has_zero = own.iter().any(|&h| h <= 0.0);
-    let ends_in = |pencil: Pencil<f64>| -> Result<(f64, f64), Error> {
-        let found = extremes_from(model, q, &pencil, &own, Precision::Auto)?;
+    let ends_in = |pencil: Pencil<'_, f64>| -> Result<(f64, f64), Error> {
+        let found = extremes_from(&pencil, &own, Precision::Auto)?;
         Ok((found.min.map_or(0.0, |min| min.value), found.max.value))
     };
     let unit_diagonal = *metric == Metric::UnitDiagonal;
-    let (min, max) = match unit_diagonal {
-        true if has_zero => (0.0, f64::NAN),
-        true => ends_in(pencil.clone().with_metric(own.clone())?)?,
-        false => ends_in(pencil.clone().with_metric(weights.to_vec())?)?,
-    };
+    let weights = if unit_diagonal { pencil.weights(metric, &own)? } else { weights.to_vec() };
+    let (min, max) = ends_in(pencil.clone().with_metric(weights)?)?;
     let kappa_weighted = match (weighted, unit_diagonal) {
         (false, _) => f64::NAN,
         (true, _) if has_zero => f64::INFINITY,

@@ -87,7 +87,7 @@ impl Batch<'_, f64> {
     /// `accuracy` goes to the Sturm engine, at some forty times the cost. λmin is zero where that cannot tell it from zero. All degrees of
     /// freedom take part: mimic joints move freely, a floating base is kept.
     ///
-    /// Errors: [`BatchError`]; `ends` then holds no result.
+    /// Errors: [`BatchError`], also where the unit-diagonal metric meets a degree of freedom without inertia; `ends` then holds no result.
     pub fn extremes(
         &self,
         q: &[f64],

@@ -97,7 +97,7 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
     let pick = |all: &[f64]| -> Vec<f64> { dofs.iter().map(|&d| all[d]).collect() };
     let diagonal = pick(&own);
     let mut notes = Vec::new();
-    let Extremes { min, max, passes } = extremes_from(model, q, &pencil, &own, question.precision)?;
+    let Extremes { min, max, passes } = extremes_from(&pencil, &own, question.precision)?;
     let eigenvalues = if question.all { Some(slice(&pencil)) } else { None };
     let (diagonal_ratio, has_zero) = diagonal_ratio(&diagonal, &weights, &mut notes);
     let kappa_weighted = if has_zero {
@@ -110,7 +110,7 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
             let (min, max) = extreme_values(&weighted, &own);
             ratio(Some(max), min)
         } else {
-            let ends = extremes_from(model, q, &weighted, &own, question.precision)?;
+            let ends = extremes_from(&weighted, &own, question.precision)?;
             if let Err(unresolved) = &ends.min {
                 notes.push(format!("λ′min is not resolved: it lies below {:.1e}", unresolved.below));
             }
@@ -146,8 +146,8 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
 }
 
 /// The pencil that a question is about.
-struct Tree {
-    pencil: Pencil<f64>,
+struct Tree<'m> {
+    pencil: Pencil<'m, f64>,
     /// The model's DoFs that take part, and their weights in B.
     dofs: Vec<usize>,
     weights: Vec<f64>,
@@ -155,23 +155,15 @@ struct Tree {
     own: Vec<f64>,
 }
 
-fn tree(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Tree, InputError> {
+fn tree<'m>(model: &'m Model<f64>, q: &[f64], question: &Question) -> Result<Tree<'m>, InputError> {
     if question.reduction.mimic && model.coupling().is_some() {
         return Err(InputError::NotATree);
     }
-    let nv = model.nv();
-    let unit = vec![1.0; nv];
-    let pencil = match question.reduction.base {
-        true => Pencil::free_floating(model, q, unit)?,
-        false => Pencil::new(model, q, unit)?,
-    };
-    let dofs = question.reduction.dofs(model);
+    let pencil = Pencil::euclidean(model, q, question.reduction.base)?;
     let own = pencil.diagonal();
-    let diagonal: Vec<f64> = dofs.iter().map(|&d| own[d]).collect();
-    let weights = question.metric.weights_for(&diagonal, |row| model.is_translation(dofs[row]))?;
-    let mut B = vec![0.0; nv];
-    dofs.iter().zip(&weights).for_each(|(&d, &b)| B[d] = b);
-    Ok(Tree { pencil: pencil.with_metric(B)?, dofs, weights, own })
+    let B = pencil.weights(&question.metric, &own)?;
+    let weights = B[pencil.removed()..].to_vec();
+    Ok(Tree { pencil: pencil.with_metric(B)?, dofs: question.reduction.dofs(model), weights, own })
 }
 
 /// Number of eigenvalues below σ, in O(N), without the matrix.

@@ -41,7 +41,7 @@ pub struct Evaluator<'m> {
     model: &'m Model<f64>,
     reduction: Reduction,
     metric: Metric<f64>,
-    tree: Option<(Pencil<f64>, Diagonal<f64>)>,
+    tree: Option<(Pencil<'m, f64>, Diagonal<f64>)>,
     workspace: GradientWorkspace<f64>,
     one: Vec<f64>,
 }
@@ -55,11 +55,7 @@ impl<'m> Evaluator<'m> {
         let tree = if coupled || model.nv() == 0 {
             None
         } else {
-            let (q, unit) = (model.neutral(), vec![1.0; model.nv()]);
-            let pencil = match reduction.base {
-                true => Pencil::free_floating(model, &q, unit)?,
-                false => Pencil::new(model, &q, unit)?,
-            };
+            let pencil = Pencil::euclidean(model, &model.neutral(), reduction.base)?;
             let diagonal = Diagonal::new(&pencil);
             Some((pencil, diagonal))
         };
@@ -73,7 +69,7 @@ impl<'m> Evaluator<'m> {
     ///
     /// Errors: [`Error`] if q or the metric does not fit.
     pub fn values(&mut self, q: &[f64]) -> Result<Values, Error> {
-        let Self { model, reduction, metric, tree, .. } = self;
+        let Self { metric, tree, .. } = self;
         let Some((pencil, diagonal)) = tree else {
             let question = Question { method: Method::Dense, ..self.question(self.metric.clone()) };
             let verdict = conditioning_at(self.model, q, &question)?;
@@ -83,19 +79,15 @@ impl<'m> Evaluator<'m> {
                 kappa_weighted: verdict.kappa_weighted.unwrap_or(f64::INFINITY),
             });
         };
-        pencil.update(model, q)?;
+        pencil.update(q)?;
         let own = diagonal.update(pencil);
-        let removed = if reduction.base { BASE } else { 0 };
-        if own[removed..].iter().any(|&h| h <= 0.0) {
-            let lambda_max = own.iter().fold(0.0, |m: f64, &h| m.max(h));
+        let has_zero = own[pencil.removed()..].iter().any(|&h| h <= 0.0);
+        pencil.set_metric(&pencil.weights(metric, own)?)?;
+        let (least, lambda_max) = extreme_values(pencil, own);
+        if has_zero {
             return Ok(Values { lambda_min: 0.0, lambda_max, kappa_weighted: f64::INFINITY });
         }
-        let weights = metric.weights_for(&own[removed..], |row| model.is_translation(row + removed))?;
-        let mut B = vec![0.0; removed];
-        B.extend(weights);
-        pencil.set_metric(&B);
-        let (least, lambda_max) = extreme_values(pencil, own);
-        pencil.set_metric(own);
+        pencil.set_metric(own)?;
         let (least_weighted, weighted) = extreme_values(pencil, own);
         Ok(Values {
             lambda_min: least.unwrap_or(0.0),

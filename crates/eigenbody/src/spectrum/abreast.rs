@@ -11,13 +11,11 @@
 //! The same numbers as [`ends`](mod@super::ends): there by pivots and in any scalar, here with both ends side by side in one register. T is
 //! scaled so that its spectrum ends at one; every few rows so are the p.
 
-use super::ends::EndsWorkspace;
+use super::ends::{EndsWorkspace, most_steps};
 use crate::scalar::{Quad, Real};
 
 /// Numbers of a register.
 const WIDTH: usize = 4;
-/// Mostly 4 to 15 are taken; a cluster of half the eigenvalues is approached by a factor of 1 − 2/√n a step.
-const MAX_STEPS: usize = 1000;
 /// Rows between two scalings of p: it changes by less than 3 a row, or by less than ε.
 const ROWS: usize = 8;
 
@@ -170,7 +168,7 @@ fn laguerre<T: Real, Q: Quad<T>>(d: &[T], e2: &[T]) -> [T; 2] {
     let epsilon = Q::from_f64(2.0 * T::EPSILON);
     // One where an end has yet to be reached.
     let (mut going, mut before) = (Q::ONE, Q::ZERO);
-    for _ in 0..MAX_STEPS {
+    for _ in 0..most_steps(d.len()) {
         // p and its derivatives at this row and the one before.
         let (mut p, mut p1, mut p2) = (Q::ONE, Q::ZERO, Q::ZERO);
         let (mut r, mut r1, mut r2) = (Q::ZERO, Q::ZERO, Q::ZERO);

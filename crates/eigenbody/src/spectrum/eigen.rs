@@ -30,7 +30,7 @@ pub struct SymmetricEigen<T> {
 /// every eigenvalue to a few ε·λmax, small eigenvalues of graded matrices usually far better; so λmin carries a relative
 /// error up to a few ε·κ.
 ///
-/// Errors: [`InputError::Length`], [`InputError::NotFinite`], [`Error::NoConvergence`] (never seen on finite input).
+/// Errors: [`InputError::Length`], [`InputError::NotPositive`] for a weight, [`InputError::NotFinite`], [`Error::NoConvergence`] (never seen on finite input).
 ///
 /// ```
 /// use eigenbody::{Matrix, spectrum::eigen};
@@ -82,6 +82,9 @@ fn scale<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Scaled<T>, Error> {
         if found != n {
             return Err(InputError::Length { what, expected: n, found }.into());
         }
+    }
+    if let Some(index) = weights.iter().position(|&b| !(b > T::ZERO && b.is_finite())) {
+        return Err(InputError::NotPositive { what: "B", index, value: weights[index].to_f64() }.into());
     }
     let units: Vec<T> = weights.iter().map(|&b| if b == T::ONE { b } else { T::ONE / b.sqrt() }).collect();
     let mut order: Vec<usize> = (0..n).collect();

@@ -10,7 +10,6 @@ use super::bisect::Search;
 use super::rayleigh::{modes, quotients};
 use super::sturm::{Errors, Factors, Pencil, absolute_errors, counts};
 use crate::error::InputError;
-use crate::model::Model;
 use crate::scalar::{Array, LANES, Unit};
 
 /// Relative error estimate above which the double-double quotient is taken.
@@ -65,9 +64,9 @@ pub enum Precision {
 
 /// λmin and λmax of H(q) x = λ B x with their modes and error estimates, in O(N).
 ///
-/// Method: Sturm counts from articulated-body pivots, bisection with interpolated shifts, inverse iteration. Typically 8 to 16
+/// Method: Sturm counts from articulated-body pivots, bisection with interpolated shifts, inverse iteration. Typically 12 to 16
 /// passes of about 70 ns a body; allocates. Numerics: the relative error is that of [`Extreme::error_estimate`], usually a few ε
-/// whatever κ; see `docs/numerics.md`. `model` and `q` are those of the pencil.
+/// whatever κ; see `docs/numerics.md`.
 ///
 /// Errors: [`InputError::NotPositive`] if B is zero throughout.
 ///
@@ -76,25 +75,18 @@ pub enum Precision {
 /// use eigenbody::spectrum::{Precision, extremes, sturm::Pencil};
 /// let (robot, q) = (Family::hydra(1000, 1.0, 0.0, 1.0)?.model::<f64>()?, vec![0.0; 1000]);
 /// let pencil = Pencil::new(&robot, &q, vec![1.0; 1000])?;
-/// let ends = extremes(&robot, &q, &pencil, Precision::Auto)?;
+/// let ends = extremes(&pencil, Precision::Auto)?;
 /// assert!((ends.min.unwrap().value / 0.02114603916771028 - 1.0).abs() < 5e-15);
 /// assert!((ends.max.value / 81052547734.42397 - 1.0).abs() < 5e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn extremes(
-    model: &Model<f64>,
-    q: &[f64],
-    pencil: &Pencil<f64>,
-    precision: Precision,
-) -> Result<Extremes, InputError> {
-    extremes_from(model, q, pencil, &pencil.diagonal(), precision)
+pub fn extremes(pencil: &Pencil<'_, f64>, precision: Precision) -> Result<Extremes, InputError> {
+    extremes_from(pencil, &pencil.diagonal(), precision)
 }
 
 /// [`extremes`] where the diagonal of the matrix is known.
 pub(crate) fn extremes_from(
-    model: &Model<f64>,
-    q: &[f64],
-    pencil: &Pencil<f64>,
+    pencil: &Pencil<'_, f64>,
     diagonal: &[f64],
     precision: Precision,
 ) -> Result<Extremes, InputError> {
@@ -104,7 +96,7 @@ pub(crate) fn extremes_from(
     let (low, high, passes) = search(pencil, diagonal);
     let largest = high.value().unwrap_or(f64::INFINITY);
     let gaps = [low.value().map_or(0.0, |value| low.gap(value)), high.gap(largest)];
-    let ending = Ending { model, q, pencil, precision, largest };
+    let ending = Ending { pencil, precision, largest };
     // Without a λmin, the mode of zero tells how far rounding reaches.
     let ([min, max], errors) = ending.finish([low.value().unwrap_or(0.0), largest], gaps);
     let min = if low.value().is_some() && min.error_estimate < 0.5 {
@@ -118,23 +110,22 @@ pub(crate) fn extremes_from(
 }
 
 /// A bound on λmin that holds whatever was lost: the smallest H_dd/B_d, where the estimate is larger or not a number.
-fn known_bound(estimate: f64, pencil: &Pencil<f64>, diagonal: &[f64]) -> f64 {
-    let ratios = diagonal.iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
-    let bound = ratios.fold(f64::MAX, f64::min);
-    if estimate < bound { estimate } else { bound }
+fn known_bound(estimate: f64, pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> f64 {
+    let [bound, ..] = pencil.ratios(diagonal);
+    if estimate < bound { estimate } else { bound.min(f64::MAX) }
 }
 
 /// Both ends by counts alone: the values without modes, error estimates or double-double.
 ///
 /// For pencils whose extremes are known to be well determined: a third of the cost of [`extremes`]. λmin is none if it cannot be told
 /// from zero.
-pub(crate) fn extreme_values(pencil: &Pencil<f64>, diagonal: &[f64]) -> (Option<f64>, f64) {
+pub(crate) fn extreme_values(pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> (Option<f64>, f64) {
     let (low, high, _) = search(pencil, diagonal);
     (low.value(), high.value().unwrap_or(f64::INFINITY))
 }
 
 /// Brackets of both ends, and the passes they took: four shifts to each end, eight to one that is left over.
-fn search(pencil: &Pencil<f64>, diagonal: &[f64]) -> (Search, Search, usize) {
+fn search(pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> (Search, Search, usize) {
     let (mut low, mut high) = (Search::new(0), Search::new(pencil.len() - 1));
     let mut passes = 0;
     let mut shifts = first_shifts(pencil, diagonal);
@@ -158,10 +149,8 @@ fn search(pencil: &Pencil<f64>, diagonal: &[f64]) -> (Search, Search, usize) {
 }
 
 /// Bounds of both ends, and shifts between them.
-fn first_shifts(pencil: &Pencil<f64>, diagonal: &[f64]) -> [f64; LANES] {
-    let ratios = diagonal.iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
-    let (min, max, sum) =
-        ratios.fold((f64::INFINITY, 0.0f64, 0.0), |(min, max, sum), r| (r.min(min), r.max(max), sum + r));
+fn first_shifts(pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> [f64; LANES] {
+    let [min, max, sum] = pencil.ratios(diagonal);
     // A little outside, so that rounding in the diagonal does not matter.
     let (inside, outside) = (max * (1.0 - 1e-9), sum * (1.0 + 1e-9));
     let step = |part: f64| inside * (outside / inside).powf(part);
@@ -170,9 +159,7 @@ fn first_shifts(pencil: &Pencil<f64>, diagonal: &[f64]) -> [f64; LANES] {
 
 /// What is left to do when both eigenvalues are known.
 struct Ending<'a> {
-    model: &'a Model<f64>,
-    q: &'a [f64],
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     precision: Precision,
     largest: f64,
 }
@@ -180,7 +167,7 @@ struct Ending<'a> {
 impl Ending<'_> {
     /// Modes, error estimates and, where those ask, double-double quotients; both ends side by side.
     fn finish(&self, values: [f64; 2], gaps: [f64; 2]) -> ([Extreme; 2], [Errors; 2]) {
-        let Self { model, q, pencil, .. } = self;
+        let Self { pencil, .. } = self;
         // As the estimate, which in fused arithmetic is less sure of what counts hardly know.
         let mut factors = Factors::new(pencil, Unit::Plain);
         let mut x = modes(pencil, values, &mut factors);
@@ -197,7 +184,7 @@ impl Ending<'_> {
         let mut ends = [0, 1].map(extreme);
         let refined = [0, 1].map(|k| self.quotient_error(&ends[k], errors[k], gaps[k]));
         let asked: Vec<usize> = (0..2).filter(|&k| self.asks(ends[k].counted_error, refined[k])).collect();
-        for (&k, quotient) in asked.iter().zip(quotients(model, q, &x, pencil.metric(), &asked)) {
+        for (&k, quotient) in asked.iter().zip(quotients(pencil, &x, &asked)) {
             // Taken if it lies within the error of the counts and is better known.
             let end = &mut ends[k];
             let agrees = (quotient - end.value).abs() <= end.counted_error * end.value;

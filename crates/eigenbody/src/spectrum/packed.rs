@@ -11,10 +11,9 @@
 //! much as a dozen products, and every entry touched once a row, because a triangle in lanes fills the nearest memory. Cost ⅔ n³ and
 //! about 20 n a step. Nothing is decided by comparing values.
 
+use super::ends::most_steps;
 use crate::scalar::{Real, Scalar};
 
-/// More steps than any spectrum has needed.
-const MAX_STEPS: usize = 60;
 /// Rows after which minors are scaled anew: none can leave the range of numbers in so few.
 const RANGE: usize = 8;
 
@@ -198,7 +197,7 @@ fn laguerre<S: Scalar>(T: &[(S, S)]) -> [S; 2] {
     let n = S::from_f64(T.len() as f64);
     // −T begins at −1: from below as well.
     let (mut low, mut high) = (Reached::at(S::ZERO), Reached::at(-S::ONE));
-    for _ in 0..MAX_STEPS {
+    for _ in 0..most_steps(T.len()) {
         let (mut a, mut b) = (Minor::START, Minor::START);
         for (k, rows) in T.chunks(RANGE).enumerate() {
             if k > 0 {

@@ -8,7 +8,7 @@
 
 use super::sturm::{Factors, Pencil};
 use crate::joint::Joint;
-use crate::model::{Body, Model, Random};
+use crate::model::{Body, Random};
 use crate::scalar::{Array, Dd, Real, Scalar};
 use crate::spatial::{Motion, Transform};
 
@@ -18,7 +18,7 @@ const ROUNDS: usize = 6;
 /// The modes of eigenvalues side by side, xᵀBx = 1 over the DoFs that take part, the largest entry (weighed by B) positive.
 ///
 /// `factors` holds those of H − shift·B afterwards, with the bodies' motions under x.
-pub(super) fn modes(pencil: &Pencil<f64>, shifts: [f64; 2], factors: &mut Factors) -> Vec<Array<2>> {
+pub(super) fn modes(pencil: &Pencil<'_, f64>, shifts: [f64; 2], factors: &mut Factors) -> Vec<Array<2>> {
     let B = pencil.metric();
     let mut x: Vec<_> = start(B).into_iter().map(|x| Array([x; 2])).collect();
     normalise(&mut x, B);
@@ -78,18 +78,17 @@ pub(super) fn normalise<const N: usize>(x: &mut [Array<N>], B: &[f64]) -> [f64; 
     norm
 }
 
-/// 2T(x)/xᵀBx in double-double, of those `lanes` of `x`, over all DoFs of the model; `B` is zero for those that take no part.
+/// 2T(x)/xᵀBx in double-double, of those `lanes` of `x`, over all DoFs of the model; B is zero for those that take no part.
 pub(super) fn quotients<const N: usize>(
-    model: &Model<f64>,
-    q: &[f64],
+    pencil: &Pencil<'_, f64>,
     x: &[Array<N>],
-    B: &[f64],
     lanes: &[usize],
 ) -> Vec<f64> {
     if lanes.is_empty() {
         return Vec::new();
     }
     let wide = Dd::from_f64;
+    let (model, q, B) = (pencil.model, &pencil.q, pencil.metric());
     let (bodies, armature) = (model.bodies(), model.armature());
     // Bodies' velocities, one a lane.
     let mut v: Vec<Motion<Dd>> = Vec::with_capacity(bodies.len() * lanes.len());

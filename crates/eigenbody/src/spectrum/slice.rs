@@ -36,7 +36,7 @@ const WORTH_SHARING: usize = 4000;
 ///
 /// Cost: typically 1.2 passes of O(N) an eigenvalue, shared among all threads; allocates. Numerics: each as accurate as
 /// [`extremes`](super::extremes) without double-double.
-pub fn slice(pencil: &Pencil<f64>) -> Vec<f64> {
+pub fn slice(pencil: &Pencil<'_, f64>) -> Vec<f64> {
     let mut slices = Slices::new(pencil);
     for _ in 0..MAX_ROUNDS {
         let shifts = slices.offer();
@@ -90,7 +90,7 @@ impl Aim {
 }
 
 impl Slices {
-    fn new(pencil: &Pencil<f64>) -> Self {
+    fn new(pencil: &Pencil<'_, f64>) -> Self {
         let n = pencil.len();
         let mut slices = Self { points: Vec::new(), aims: vec![Aim::NONE; n] };
         if n > 0 {
@@ -220,7 +220,7 @@ fn deflated_nodes(points: &[Count], at: usize, index: usize, values: &[f64]) -> 
 }
 
 /// Counts at any number of shifts.
-fn all_counts(pencil: &Pencil<f64>, shifts: &[f64]) -> Vec<Count> {
+fn all_counts(pencil: &Pencil<'_, f64>, shifts: &[f64]) -> Vec<Count> {
     let pass = |shifts: &[f64]| {
         let mut lanes = [shifts[0]; LANES];
         lanes[..shifts.len()].copy_from_slice(shifts);
@@ -234,13 +234,12 @@ fn all_counts(pencil: &Pencil<f64>, shifts: &[f64]) -> Vec<Count> {
 }
 
 /// Numbers outside of which no eigenvalue lies, the lower one by counting.
-fn bounds(pencil: &Pencil<f64>) -> (f64, f64) {
+fn bounds(pencil: &Pencil<'_, f64>) -> (f64, f64) {
     let diagonal = pencil.diagonal();
-    let ratios: Vec<f64> =
-        diagonal.iter().zip(pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b).collect();
+    let [least, _, trace] = pencil.ratios(&diagonal);
     // Twice the trace: cancellation in the diagonal of H* does not matter.
-    let upper = ratios.iter().sum::<f64>() * 2.0;
-    let mut lower = ratios.iter().copied().fold(f64::INFINITY, f64::min).max(upper * f64::MIN_POSITIVE);
+    let upper = 2.0 * trace;
+    let mut lower = least.max(upper * f64::MIN_POSITIVE);
     for _ in 0..16 {
         let found = counts(pencil, std::array::from_fn(|k| lower * 0.1f64.powi(2 * k as i32)));
         lower *= 1e-14;

@@ -1,5 +1,7 @@
 //! Batches against one configuration at a time.
 
+mod ends;
+
 use crate::robots::{Case, cases, configuration, numbers, tree};
 use eigenbody::batch::{Batch, BatchError, Lanes};
 use eigenbody::conditioning::Values;

@@ -64,6 +64,21 @@ fn ends_of_known_spectra<T: Real>() {
     }
 }
 
+/// Whatever the unit: squares of its entries may lie beyond the range of numbers.
+#[test]
+fn ends_of_any_size() {
+    for size in [1e-300, 1e-200, 1e-40, 1e40, 1e200, 1e300] {
+        for n in [1, 2, 5, 9] {
+            let H = Matrix::from_fn(n, n, |i, j| size * if i == j { 2.0 } else { 1.0 });
+            let [min, max] = extreme_eigenvalues(&H, &vec![1.0; n]).unwrap();
+            let expected = [if n == 1 { 2.0 } else { 1.0 }, (n + 1) as f64];
+            let bound = 4.0 * n as f64 * f64::EPSILON * expected[1];
+            let apart = [min / size - expected[0], max / size - expected[1]];
+            assert!(apart.iter().all(|x| x.abs() <= bound), "{n}, {size:e}: {apart:?}");
+        }
+    }
+}
+
 #[test]
 fn a_matrix_of_zeros_has_none_but_zeros() {
     for n in [0, 1, 3, 4, 9] {

@@ -21,7 +21,7 @@ const PASSES: usize = 20;
 const RESIDUAL: f64 = 1e-12;
 
 fn ends(system: &System, metric: &Metric<f64>, precision: Precision) -> Extremes {
-    extremes(&system.model, &system.q, &system.pencil_in(metric), precision).unwrap()
+    extremes(&system.pencil_in(metric), precision).unwrap()
 }
 
 fn straight(family: &Family) -> System {
@@ -189,10 +189,10 @@ fn hundred_thousand_links() {
 fn weights_choose_what_takes_part() {
     let system = straight(&Family::hydra(3, 1.0, 0.0, 1.0).unwrap());
     let pencil = |B: &[f64]| Pencil::new(&system.model, &system.q, B.to_vec()).unwrap();
-    let none = extremes(&system.model, &system.q, &pencil(&[0.0; 3]), Precision::Auto);
+    let none = extremes(&pencil(&[0.0; 3]), Precision::Auto);
     assert_eq!(none, Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 }));
     // One DoF left: λ = 1/(H⁻¹)_dd, the inertia that it feels with the others free
-    let one = extremes(&system.model, &system.q, &pencil(&[0.0, 1.0, 0.0]), Precision::Auto).unwrap();
+    let one = extremes(&pencil(&[0.0, 1.0, 0.0]), Precision::Auto).unwrap();
     let tau = eigenbody::forward_dynamics(&system.model, &system.q, &[0.0; 3], &[0.0, 1.0, 0.0]).unwrap();
     let rest = eigenbody::forward_dynamics(&system.model, &system.q, &[0.0; 3], &[0.0; 3]).unwrap();
     let felt = 1.0 / (tau[1] - rest[1]);

@@ -4,10 +4,8 @@ use eigenbody::spectrum::slice;
 use eigenbody::spectrum::sturm::{Pencil, counts};
 use eigenbody::{Family, Model, Posture};
 
-fn at_zero(family: &Family) -> Pencil<f64> {
-    let model: Model<f64> = family.model().unwrap();
-    let q = Posture::Zero.configuration(&model);
-    Pencil::new(&model, &q, vec![1.0; model.nv()]).unwrap()
+fn at_zero(model: &Model<f64>) -> Pencil<'_, f64> {
+    Pencil::euclidean(model, &Posture::Zero.configuration(model), false).unwrap()
 }
 
 fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
@@ -19,7 +17,7 @@ fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
 #[test]
 fn of_the_circular_onion() {
     for n in [1, 2, 3, 10, 300] {
-        let values = slice(&at_zero(&Family::onion(n, 1.0, 0.0, 1.0).unwrap()));
+        let values = slice(&at_zero(&Family::onion(n, 1.0, 0.0, 1.0).unwrap().model().unwrap()));
         assert_eq!(values.len(), n);
         for (k, value) in (1..).zip(values.iter().rev()) {
             let angle = (2 * k - 1) as f64 * std::f64::consts::PI / (4 * n + 2) as f64;
@@ -38,7 +36,7 @@ fn of_the_circular_onion() {
 #[test]
 fn of_many_twins() {
     for n in [5, 17, 65] {
-        let values = slice(&at_zero(&Family::onion(n, (n - 1) as f64, 0.0, 1.0).unwrap()));
+        let values = slice(&at_zero(&Family::onion(n, (n - 1) as f64, 0.0, 1.0).unwrap().model().unwrap()));
         assert!(values.is_sorted());
         for value in &values[1..n - 1] {
             assert_close(*value, 1.0, 200.0 * f64::EPSILON, &format!("{n} links"));
@@ -55,7 +53,8 @@ fn of_many_twins() {
 /// where counts beside it, out of that reach, say.
 #[test]
 fn where_counts_beside_it_say() {
-    let pencil = at_zero(&Family::hydra(1000, 2.0, 0.5, 1.0).unwrap());
+    let model = Family::hydra(1000, 2.0, 0.5, 1.0).unwrap().model().unwrap();
+    let pencil = at_zero(&model);
     let values = slice(&pencil);
     assert!(values.is_sorted());
     for (pair, k) in values.chunks(2).zip((0..).step_by(2)) {
@@ -74,7 +73,8 @@ fn where_counts_beside_it_say() {
 /// To the bit, on any number of threads.
 #[test]
 fn does_not_depend_on_threads() {
-    let pencil = at_zero(&Family::hydra(300, 1.0, 0.0, 1.0).unwrap());
+    let model = Family::hydra(300, 1.0, 0.0, 1.0).unwrap().model().unwrap();
+    let pencil = at_zero(&model);
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| slice(&pencil))

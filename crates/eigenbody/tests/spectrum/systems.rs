@@ -23,10 +23,8 @@ impl System {
     }
 
     /// The pencil in the Euclidean metric.
-    pub fn pencil(&self) -> Pencil<f64> {
-        let B = vec![1.0; self.model.nv()];
-        let pencil = if self.is_free { Pencil::free_floating } else { Pencil::new };
-        pencil(&self.model, &self.q, B).unwrap()
+    pub fn pencil(&self) -> Pencil<'_, f64> {
+        Pencil::euclidean(&self.model, &self.q, self.is_free).unwrap()
     }
 
     /// H or H* of the same numbers in double-double, column by column from the motion of every body.
@@ -58,7 +56,7 @@ impl System {
     }
 
     /// The pencil in a metric.
-    pub fn pencil_in(&self, metric: &Metric<f64>) -> Pencil<f64> {
+    pub fn pencil_in(&self, metric: &Metric<f64>) -> Pencil<'_, f64> {
         let pencil = self.pencil();
         let B = metric.weights_for(&pencil.diagonal(), |d| self.model.is_translation(d)).unwrap();
         pencil.with_metric(B).unwrap()
@@ -66,7 +64,7 @@ impl System {
 }
 
 /// Eigenvalues of H in the metric of a pencil, ascending.
-pub fn exact(H: &Matrix<Dd>, pencil: &Pencil<f64>) -> Vec<Dd> {
+pub fn exact(H: &Matrix<Dd>, pencil: &Pencil<'_, f64>) -> Vec<Dd> {
     let B: Vec<Dd> = pencil.metric().iter().filter(|&&b| b > 0.0).map(|&b| Dd::from_f64(b)).collect();
     eigenvalues(H, &B).unwrap()
 }
@@ -108,7 +106,7 @@ fn without_base(mut H: Matrix<Dd>) -> Matrix<Dd> {
 }
 
 /// Eigenvalues and modes over all DoFs: a removed base moves so that momentum stays zero, H_bb x_b = −H_bj x_j.
-pub fn exact_modes(system: &System, pencil: &Pencil<f64>) -> (Vec<Dd>, Vec<Vec<Dd>>) {
+pub fn exact_modes(system: &System, pencil: &Pencil<'_, f64>) -> (Vec<Dd>, Vec<Vec<Dd>>) {
     let B: Vec<Dd> = pencil.metric().iter().filter(|&&b| b > 0.0).map(|&b| Dd::from_f64(b)).collect();
     let SymmetricEigen { values, vectors } = eigen(&system.matrix(), &B).unwrap();
     let H = system.full_matrix();

@@ -7,15 +7,9 @@ use eigenbody::{Base, Family, Model, ModelBuilder, forward_dynamics};
 
 /// λmin and λmax without memory.
 fn cold(model: &Model<f64>, q: &[f64], metric: &Metric<f64>, free_floating: bool) -> [f64; 2] {
-    let (unit, removed) = (vec![1.0; model.nv()], if free_floating { 6 } else { 0 });
-    let pencil = match free_floating {
-        true => Pencil::free_floating(model, q, unit).unwrap(),
-        false => Pencil::new(model, q, unit).unwrap(),
-    };
-    let mut B = pencil.diagonal();
-    let weights = metric.weights_for(&B[removed..], |row| model.is_translation(row + removed)).unwrap();
-    B[removed..].copy_from_slice(&weights);
-    let ends = extremes(model, q, &pencil.with_metric(B).unwrap(), Precision::Auto).unwrap();
+    let pencil = Pencil::euclidean(model, q, free_floating).unwrap();
+    let B = pencil.weights(metric, &pencil.diagonal()).unwrap();
+    let ends = extremes(&pencil.with_metric(B).unwrap(), Precision::Auto).unwrap();
     [ends.min.unwrap().value, ends.max.value]
 }
 

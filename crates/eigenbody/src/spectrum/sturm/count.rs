@@ -25,12 +25,12 @@ pub struct Count {
 /// ```
 /// Shifts are finite, and so is σB. Runs on the widest unit of the processor. Numerics: a count is exact for some H + δH, see
 /// `docs/numerics.md`; two shifts within that error may count in the wrong order.
-pub fn counts(pencil: &Pencil<f64>, shifts: [f64; LANES]) -> [Count; LANES] {
+pub fn counts(pencil: &Pencil<'_, f64>, shifts: [f64; LANES]) -> [Count; LANES] {
     dispatch(Counting { pencil, shifts })
 }
 
 struct Counting<'a> {
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     shifts: [f64; LANES],
 }
 

@@ -23,14 +23,14 @@ pub struct Diagonal<T> {
 
 impl<T: Real> Diagonal<T> {
     /// Room for a pencil.
-    pub fn new(pencil: &Pencil<T>) -> Self {
-        let n = if pencil.has_free_base() { pencil.nodes.len() } else { 0 };
+    pub fn new(pencil: &Pencil<'_, T>) -> Self {
+        let n = if pencil.removed() > 0 { pencil.nodes.len() } else { 0 };
         let (Ic, from_base) = (vec![RigidInertia::ZERO; n], vec![Transform::IDENTITY; n]);
         Self { Ic, from_base, waiting: Vec::new(), H: vec![T::ZERO; pencil.S.len()] }
     }
 
     /// The diagonal of the pencil's matrix as it stands, one number a DoF; allocates nothing after the first time.
-    pub fn update(&mut self, pencil: &Pencil<T>) -> &[T] {
+    pub fn update(&mut self, pencil: &Pencil<'_, T>) -> &[T] {
         let Pencil { nodes, S, armature, .. } = pencil;
         let Self { Ic, H, waiting, .. } = self;
         let mut carry = Carry::new(RigidInertia::ZERO, waiting);
@@ -44,13 +44,13 @@ impl<T: Real> Diagonal<T> {
                 *kept = Ic_i;
             }
         }
-        if pencil.has_free_base() {
+        if pencil.removed() > 0 {
             self.remove_base(pencil);
         }
         &self.H
     }
 
-    fn remove_base(&mut self, Pencil { nodes, S, .. }: &Pencil<T>) {
+    fn remove_base(&mut self, Pencil { nodes, S, .. }: &Pencil<'_, T>) {
         let Self { Ic, from_base, H, .. } = self;
         let base = Cholesky6::new(&Ic[0]);
         for (i, node) in nodes.iter().enumerate() {

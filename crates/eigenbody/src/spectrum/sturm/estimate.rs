@@ -33,7 +33,7 @@ pub(crate) struct Errors {
 /// Estimated errors of the eigenvalues `shifts`. Their modes `x`, xᵀBx = 1, move the bodies by `motions`; where a base was
 /// removed, x holds the motion of the body that stands in for it.
 pub(crate) fn absolute_errors<const N: usize>(
-    pencil: &Pencil<f64>,
+    pencil: &Pencil<'_, f64>,
     shifts: [f64; N],
     motions: &[Motion<Array<N>>],
     x: &[Array<N>],
@@ -51,7 +51,7 @@ pub(crate) fn absolute_errors<const N: usize>(
 }
 
 /// How many bodies each body carries.
-fn children(pencil: &Pencil<f64>) -> Vec<u32> {
+fn children(pencil: &Pencil<'_, f64>) -> Vec<u32> {
     let mut children = vec![0; pencil.nodes.len()];
     pencil.nodes.iter().filter_map(Node::parent).for_each(|p| children[p] += 1);
     children
@@ -67,7 +67,7 @@ fn size<T: Scalar>(IA: &ArticulatedInertia<T>, a: Motion<T>) -> T {
 
 /// Σ |f_i|ᵀ (|X_up||a_p| + |S||x|).
 fn geometry<T: Scalar<Constant = f64>>(
-    Pencil { nodes, S, .. }: &Pencil<f64>,
+    Pencil { nodes, S, .. }: &Pencil<'_, f64>,
     x: &[T],
     motions: &[Motion<T>],
 ) -> T {
@@ -96,7 +96,7 @@ fn reach<T: Scalar>(X: &Transform<T>, m: Motion<T>) -> Motion<T> {
 }
 
 struct Sum<'a, T> {
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     motions: &'a [Motion<T>],
     x: &'a [T],
     children: Vec<u32>,

@@ -1,17 +1,31 @@
 //! The pencil (H(q), B) in the form that sweeps work on: no matrix, only the tree at q.
 
 use super::diagonal::Diagonal;
-use crate::dynamics::{Kinematics, Rerooted, TreeBody};
+use crate::dynamics::{BASE, Kinematics, Rerooted, TreeBody};
 use crate::error::InputError;
 use crate::joint::Column;
 use crate::model::{Model, check};
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Motion, RigidInertia, Transform};
+use crate::spectrum::Metric;
 use std::ops::Range;
 
 /// H(q) x = λ B x, not yet formed.
+///
+/// ```
+/// use eigenbody::spectrum::sturm::{Pencil, counts};
+/// use eigenbody::{Family, Model};
+/// let ring: Model<f64> = Family::onion(5, 1.0, 0.0, 1.0)?.model()?;
+/// let pencil = Pencil::new(&ring, &[0.0; 5], vec![1.0; 5])?;
+/// // Eigenvalues 1/(4 sin²((2k−1)π/22)): 0.27, 0.35, 0.58, 1.45, 12.3.
+/// assert_eq!(counts(&pencil, [1.0; 8])[0].below, 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
-pub struct Pencil<T> {
+pub struct Pencil<'m, T> {
+    pub(in crate::spectrum) model: &'m Model<T>,
+    /// nq.
+    pub(in crate::spectrum) q: Vec<T>,
     /// N: the bodies, each after the one that carries it.
     pub(super) nodes: Vec<Node<T>>,
     /// nv: columns of S, each in its body's frame.
@@ -80,11 +94,11 @@ impl<T: Real> Node<T> {
     }
 }
 
-impl<T: Real> Pencil<T> {
+impl<'m, T: Real> Pencil<'m, T> {
     /// The pencil at q with the diagonal metric B, one number a DoF, zero for those that take no part.
     ///
     /// Errors: [`InputError`] if q or B does not fit the model, or an entry of B is negative.
-    pub fn new(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
+    pub fn new(model: &'m Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
         let nodes = nodes(model.bodies(), |i| model.bodies()[i].joint().columns());
         Self::start(model, nodes, None, q, B)
     }
@@ -92,7 +106,7 @@ impl<T: Real> Pencil<T> {
     /// The pencil of the free-floating H*: six columns with B = 0 on the central body.
     ///
     /// The first six numbers of B are ignored. Errors: as [`new`](Self::new), and [`InputError::NoFloatingBase`].
-    pub fn free_floating(model: &Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
+    pub fn free_floating(model: &'m Model<T>, q: &[T], B: Vec<T>) -> Result<Self, InputError> {
         if !model.has_floating_base() {
             return Err(InputError::NoFloatingBase);
         }
@@ -102,8 +116,16 @@ impl<T: Real> Pencil<T> {
         Self::start(model, nodes, Some(Box::new(seen)), q, B)
     }
 
+    /// The pencil of H, or with a floating base removed that of H*, in the Euclidean metric.
+    ///
+    /// Errors: as [`new`](Self::new) and [`free_floating`](Self::free_floating).
+    pub fn euclidean(model: &'m Model<T>, q: &[T], removes_base: bool) -> Result<Self, InputError> {
+        let pencil = if removes_base { Self::free_floating } else { Self::new };
+        pencil(model, q, vec![T::ONE; model.nv()])
+    }
+
     fn start(
-        model: &Model<T>,
+        model: &'m Model<T>,
         nodes: Vec<Node<T>>,
         rerooted: Option<Box<Seen<T>>>,
         q: &[T],
@@ -111,17 +133,20 @@ impl<T: Real> Pencil<T> {
     ) -> Result<Self, InputError> {
         let (S, armature) = (vec![Motion::ZERO; model.nv()], model.armature().to_vec());
         let hinges = Vec::with_capacity(model.nv());
-        let mut pencil = Self { nodes, S, B: Vec::new(), armature, hinges, rerooted };
-        pencil.update(model, q)?;
+        let (q_room, B_room) = (Vec::with_capacity(q.len()), Vec::new());
+        let mut pencil = Self { model, q: q_room, nodes, S, B: B_room, armature, hinges, rerooted };
+        pencil.update(q)?;
         pencil.with_metric(B)
     }
 
     /// The same pencil at another q; allocates nothing. A unit-diagonal metric stays the one it was.
     ///
     /// Errors: [`InputError`] if q does not fit the model.
-    pub fn update(&mut self, model: &Model<T>, q: &[T]) -> Result<(), InputError> {
+    pub fn update(&mut self, q: &[T]) -> Result<(), InputError> {
+        let Self { model, q: now, nodes, S, rerooted, .. } = self;
         model.check_q(q)?;
-        let Self { nodes, S, rerooted, .. } = self;
+        now.clear();
+        now.extend_from_slice(q);
         match rerooted {
             None => {
                 for (node, body) in nodes.iter_mut().zip(model.bodies()) {
@@ -150,9 +175,7 @@ impl<T: Real> Pencil<T> {
         if let Some(index) = B.iter().position(|&b| b < T::ZERO) {
             return Err(InputError::NotPositive { what: "B", index, value: B[index].to_f64() });
         }
-        if self.rerooted.is_some() {
-            B[..6].fill(T::ZERO);
-        }
+        B[..self.removed()].fill(T::ZERO);
         self.B = B;
         self.gather();
         Ok(self)
@@ -180,22 +203,46 @@ impl<T: Real> Pencil<T> {
         &self.B
     }
 
-    /// Another metric that has been checked; a removed base keeps B = 0.
-    pub(crate) fn set_metric(&mut self, B: &[T]) {
-        let removed = if self.rerooted.is_some() { 6 } else { 0 };
-        self.B[removed..].copy_from_slice(&B[removed..]);
-        self.gather();
+    /// B of every DoF in a metric, of the matrix with this [`diagonal`](Self::diagonal); zero for those of a removed base.
+    ///
+    /// Errors: as [`Metric::weights`].
+    pub fn weights(&self, metric: &Metric<T>, diagonal: &[T]) -> Result<Vec<T>, InputError> {
+        let removed = self.removed();
+        let is_translation = |row| self.model.is_translation(row + removed);
+        let weights = metric.weights_for(&diagonal[removed..], is_translation)?;
+        let mut B = vec![T::ZERO; removed];
+        B.extend(weights);
+        Ok(B)
     }
 
-    /// True if the base is removed.
-    pub(super) fn has_free_base(&self) -> bool {
-        self.rerooted.is_some()
+    /// Another metric, positive where DoFs take part; a removed base keeps B = 0. Allocates nothing.
+    pub(crate) fn set_metric(&mut self, B: &[T]) -> Result<(), InputError> {
+        let removed = self.removed();
+        if let Some(index) = B[removed..].iter().position(|&b| !(b > T::ZERO && b.is_finite())) {
+            let value = B[removed + index].to_f64();
+            return Err(InputError::NotPositive { what: "B", index: removed + index, value });
+        }
+        self.B[removed..].copy_from_slice(&B[removed..]);
+        self.gather();
+        Ok(())
+    }
+
+    /// DoFs of a base that is removed: six or none, the first ones.
+    pub fn removed(&self) -> usize {
+        if self.rerooted.is_some() { BASE } else { 0 }
+    }
+
+    /// Smallest, largest and sum of H_dd/B_d over the DoFs that take part: λmin ≤ min, max ≤ λmax ≤ sum.
+    pub(in crate::spectrum) fn ratios(&self, diagonal: &[T]) -> [T; 3] {
+        let taking_part = diagonal.iter().zip(&self.B).filter(|&(_, &b)| b > T::ZERO);
+        let start = [T::from_f64(f64::INFINITY), T::ZERO, T::ZERO];
+        taking_part.fold(start, |[min, max, sum], (&h, &b)| [min.min(h / b), max.max(h / b), sum + h / b])
     }
 
     /// Where the base was removed, the six numbers of `x` that are the base's: how it moves along, from all bodies' motions.
     pub(in crate::spectrum) fn fill_base<L: Scalar>(&self, motions: &[Motion<L>], x: &mut [L]) {
         if let Some(seen) = &self.rerooted {
-            x[..6].copy_from_slice(&motions[seen.tree.place_of_base()].to_array());
+            x[..BASE].copy_from_slice(&motions[seen.tree.place_of_base()].to_array());
         }
     }
 

@@ -29,7 +29,7 @@ pub(crate) struct Factors {
 
 impl Factors {
     /// Room for them, to be computed on no wider a unit than this.
-    pub fn new(pencil: &Pencil<f64>, unit: Unit) -> Self {
+    pub fn new(pencil: &Pencil<'_, f64>, unit: Unit) -> Self {
         let (n, nv) = (pencil.nodes.len(), pencil.S.len());
         Self {
             unit,
@@ -42,22 +42,22 @@ impl Factors {
     }
 
     /// Factorises H − σB.
-    pub fn factor(&mut self, pencil: &Pencil<f64>, shift: Array<2>) {
+    pub fn factor(&mut self, pencil: &Pencil<'_, f64>, shift: Array<2>) {
         dispatch_pair(self.unit, Factor { factors: self, pencil, shift });
     }
 
     /// x ← (H − σB)⁻¹ x.
-    pub fn solve(&mut self, pencil: &Pencil<f64>, x: &mut [Array<2>]) {
+    pub fn solve(&mut self, pencil: &Pencil<'_, f64>, x: &mut [Array<2>]) {
         dispatch_pair(self.unit, Solve { factors: self, pencil, x });
     }
 
     /// Sets the bodies in motion with the rates x.
-    pub fn set_moving(&mut self, pencil: &Pencil<f64>, x: &[Array<2>]) {
+    pub fn set_moving(&mut self, pencil: &Pencil<'_, f64>, x: &[Array<2>]) {
         dispatch_pair(self.unit, Move { a: &mut self.a, pencil, x });
     }
 
     /// xᵀHx of the last solution: twice its kinetic energy. A sum of squares, so that what the factors lost to cancellation is not in it.
-    pub fn energy(&self, pencil: &Pencil<f64>, x: &[Array<2>]) -> Array<2> {
+    pub fn energy(&self, pencil: &Pencil<'_, f64>, x: &[Array<2>]) -> Array<2> {
         dispatch_pair(self.unit, Energy { a: &self.a, pencil, x })
     }
 
@@ -74,7 +74,7 @@ impl Factors {
 
 struct Factor<'a> {
     factors: &'a mut Factors,
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     shift: Array<2>,
 }
 
@@ -109,7 +109,7 @@ impl<T: Scalar> Pivots<T> for Keep<'_, T> {
 
 struct Solve<'a> {
     factors: &'a mut Factors,
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     x: &'a mut [Array<2>],
 }
 
@@ -152,7 +152,7 @@ impl PairAlgorithm for Solve<'_> {
 
 struct Move<'a> {
     a: &'a mut [Motion<Array<2>>],
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     x: &'a [Array<2>],
 }
 
@@ -177,7 +177,7 @@ impl PairAlgorithm for Move<'_> {
 
 struct Energy<'a> {
     a: &'a [Motion<Array<2>>],
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     x: &'a [Array<2>],
 }
 

@@ -18,7 +18,7 @@ pub(super) trait Pivots<T> {
 /// Factorises H − σB. The stack is empty before and after.
 #[inline(always)]
 pub(super) fn sweep<T: Scalar, P: Pivots<T>>(
-    pencil: &Pencil<T::Constant>,
+    pencil: &Pencil<'_, T::Constant>,
     shift: T,
     stack: &mut Vec<ArticulatedInertia<T::Stored>>,
     pivots: &mut P,

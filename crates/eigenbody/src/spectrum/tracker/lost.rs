@@ -80,9 +80,7 @@ impl Tracker<'_> {
     /// A bracket that holds for certain: λmin in (0, min H_dd/B_d], λmax in [max H_dd/B_d, Σ H_dd/B_d].
     fn bounds(&mut self, which: usize) -> Bracket {
         let diagonal = self.diagonal.update(&self.pencil);
-        let ratios = diagonal.iter().zip(self.pencil.metric()).filter(|(_, b)| **b > 0.0).map(|(h, b)| h / b);
-        let (min, max, sum) =
-            ratios.fold((f64::INFINITY, 0.0f64, 0.0), |(min, max, sum), r| (r.min(min), r.max(max), sum + r));
+        let [min, max, sum] = self.pencil.ratios(diagonal);
         // A little outside, so that rounding in the diagonal does not matter; what is below `lo` and `hi` is known of these two alone.
         let n = self.pencil.len();
         match which {

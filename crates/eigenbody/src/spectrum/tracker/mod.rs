@@ -68,8 +68,7 @@ pub struct Reading {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Tracker<'m> {
-    model: &'m Model<f64>,
-    pencil: Pencil<f64>,
+    pencil: Pencil<'m, f64>,
     diagonal: Diagonal<f64>,
     /// The unit-diagonal metric follows q.
     follows: bool,
@@ -96,16 +95,9 @@ impl<'m> Tracker<'m> {
         free_floating: bool,
     ) -> Result<Self, InputError> {
         let nv = model.nv();
-        let (unit, removed) = (vec![1.0; nv], if free_floating { 6 } else { 0 });
-        let pencil = match free_floating {
-            true => Pencil::free_floating(model, q, unit)?,
-            false => Pencil::new(model, q, unit)?,
-        };
+        let pencil = Pencil::euclidean(model, q, free_floating)?;
         let mut diagonal = Diagonal::new(&pencil);
-        let weights = metric
-            .weights_for(&diagonal.update(&pencil)[removed..], |row| model.is_translation(row + removed))?;
-        let mut B = vec![0.0; nv];
-        B[removed..].copy_from_slice(&weights);
+        let B = pencil.weights(metric, diagonal.update(&pencil))?;
         let pencil = pencil.with_metric(B)?;
         let Some(last) = pencil.len().checked_sub(1) else {
             return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
@@ -116,19 +108,8 @@ impl<'m> Tracker<'m> {
         let [x, y] = [(); 2].map(|()| vec![Array::ZERO; nv]);
         let before = vec![[Array::ZERO; 2]; nv];
         let ends = [end(0), end(last)];
-        let mut tracker = Self {
-            model,
-            pencil,
-            diagonal,
-            follows,
-            start,
-            factors,
-            x,
-            before,
-            y,
-            x_lane: vec![0.0; nv],
-            ends,
-        };
+        let mut tracker =
+            Self { pencil, diagonal, follows, start, factors, x, before, y, x_lane: vec![0.0; nv], ends };
         for which in 0..2 {
             tracker.find_again(which, None);
         }
@@ -137,12 +118,13 @@ impl<'m> Tracker<'m> {
 
     /// λmin and λmax at the next q.
     ///
-    /// Errors: [`InputError`] if q does not fit; the tracker then stays where it was.
+    /// Errors: [`InputError`] if q does not fit, or a degree of freedom has no inertia there and the metric is the unit-diagonal one; the
+    /// modes are then those of the last q that was followed.
     pub fn update(&mut self, q: &[f64]) -> Result<[Reading; 2], InputError> {
-        self.pencil.update(self.model, q)?;
+        self.pencil.update(q)?;
         if self.follows {
             let diagonal = self.diagonal.update(&self.pencil);
-            self.pencil.set_metric(diagonal);
+            self.pencil.set_metric(diagonal)?;
         }
         Ok(self.follow())
     }

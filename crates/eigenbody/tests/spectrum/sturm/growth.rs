@@ -15,14 +15,14 @@ const GUARD: f64 = 1e-14;
 /// Sums for shifts near eigenvalues of one pencil.
 pub struct Growth<'a> {
     system: &'a System,
-    pencil: &'a Pencil<f64>,
+    pencil: &'a Pencil<'a, f64>,
     /// Modes over all DoFs, xᵀBx = 1.
     modes: Vec<Vec<Dd>>,
     order: Vec<usize>,
 }
 
 impl<'a> Growth<'a> {
-    pub fn new(system: &'a System, pencil: &'a Pencil<f64>) -> Self {
+    pub fn new(system: &'a System, pencil: &'a Pencil<'a, f64>) -> Self {
         let order = elimination_order(&system.model, system.is_free);
         Self { system, pencil, modes: exact_modes(system, pencil).1, order }
     }

@@ -9,7 +9,7 @@ use eigenbody::spectrum::sturm::{Count, Pencil, counts};
 use growth::Growth;
 
 /// Counts at any number of shifts. What makes no number is no count.
-fn count_all(pencil: &Pencil<f64>, shifts: &[f64]) -> Vec<Count> {
+fn count_all(pencil: &Pencil<'_, f64>, shifts: &[f64]) -> Vec<Count> {
     let mut all: Vec<Count> = Vec::with_capacity(shifts.len());
     for eight in shifts.chunks(LANES) {
         let mut lanes = [1.0; LANES];
@@ -22,7 +22,7 @@ fn count_all(pencil: &Pencil<f64>, shifts: &[f64]) -> Vec<Count> {
 
 /// How many counts have eigenvalues more than 2 ε ‖H‖ away on the wrong side. None may be farther away than rounding takes it: n ε of
 /// what the elimination adds up.
-fn misplaced(system: &System, pencil: &Pencil<f64>, values: &[Dd], counts: &[Count]) -> usize {
+fn misplaced(system: &System, pencil: &Pencil<'_, f64>, values: &[Dd], counts: &[Count]) -> usize {
     let n = values.len();
     let two_ulp = 2.0 * f64::EPSILON * values[n - 1].hi();
     let mut growth = None;

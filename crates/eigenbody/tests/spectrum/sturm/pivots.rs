@@ -70,7 +70,8 @@ fn twin_leaves_are_counted_together() {
     for m in 1..=64 {
         let model = Family::onion(m + 1, m as f64, 0.0, 1.0).unwrap().model::<f64>().unwrap();
         let q = configuration(&model, m as u64);
-        let pencil = System::new("twins", model, q, false).pencil();
+        let system = System::new("twins", model, q, false);
+        let pencil = system.pencil();
         let sum = (m + 2) as f64;
         let large = 0.5 * (sum + (sum * sum - 4.0).sqrt());
         // 2 ε ‖H‖, and 4 ε for the closed form
