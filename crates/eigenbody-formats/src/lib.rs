@@ -35,6 +35,7 @@ pub mod mjcf;
 pub mod motion;
 pub mod sdf;
 mod shape;
+mod slips;
 mod source;
 mod suggest;
 pub mod urdf;

@@ -129,6 +129,13 @@ pub enum Note {
         /// The element.
         element: String,
     },
+    /// An element or attribute that means nothing where it stands, and may have been meant to.
+    Slip {
+        /// The word, and where it stands.
+        word: String,
+        /// What may have been meant: `; did you mean 'origin'?`, or nothing.
+        suggestion: String,
+    },
 }
 
 impl Note {
@@ -145,6 +152,7 @@ impl Note {
             Self::ArmatureIgnored { .. } => "armature-ignored",
             Self::SpringIgnored { .. } => "spring-ignored",
             Self::OutsideWorld { .. } => "outside-world",
+            Self::Slip { .. } => "unknown-word",
         }
     }
 
@@ -160,7 +168,8 @@ impl Note {
             | Self::EqualityIgnored { element: name }
             | Self::ArmatureIgnored { element: name }
             | Self::SpringIgnored { element: name }
-            | Self::OutsideWorld { element: name } => name,
+            | Self::OutsideWorld { element: name }
+            | Self::Slip { word: name, .. } => name,
         }
     }
 }
@@ -212,6 +221,9 @@ impl fmt::Display for Note {
             }
             Self::OutsideWorld { element } => {
                 write!(f, "{element} stands outside <worldbody> and is passed over")
+            }
+            Self::Slip { word, suggestion } => {
+                write!(f, "{word} means nothing there and is passed over{suggestion}")
             }
             Self::ArmatureIgnored { element } => {
                 write!(f, "{element} has armature that couples several joints: H is without it")

@@ -267,3 +267,20 @@ fn visuals_are_drawn_where_they_stand() {
         ]
     );
 }
+
+/// A word that nobody reads is noted where another one may have been meant; words of others are let be.
+#[test]
+fn slips_are_noted() {
+    let notes = |link: &str| {
+        let findings = loaded(&format!("<link name='a'>{link}</link>")).findings();
+        findings.into_iter().filter(|line| line.contains("means nothing")).collect::<Vec<_>>()
+    };
+    assert_snapshot!(notes("<inertal><mass>2</mass></inertal>").concat(), @"m.sdf:1:52: warning: <inertal> in link 'a' means nothing there and is passed over; did you mean 'inertial'?");
+    assert_snapshot!(notes("<inertial><mas>2</mas></inertial>").concat(), @"m.sdf:1:62: warning: <mas> in <inertial> means nothing there and is passed over; did you mean 'mass'?");
+    assert_snapshot!(notes("<pose relative='b'>0 0 1 0 0 0</pose>").concat(), @"m.sdf:1:58: warning: 'relative' in <pose> means nothing there and is passed over");
+    assert_eq!(
+        notes("<enable_gravity>1</enable_gravity><particle_emitter/><custom:mass xmlns:custom='x'/>"),
+        [""; 0]
+    );
+    assert_snapshot!(fault("<link name='a'><pose degrees='maybe'>0 0 0 0 0 90</pose></link>"), @"m.sdf:2:16: <pose> holds 'maybe', expected 'degrees' to be true or false");
+}

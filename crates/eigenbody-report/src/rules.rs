@@ -41,6 +41,7 @@ pub const OF_MODELS: &[Rule] = &[
     rule("armature-ignored", "An armature that couples joints is left out."),
     rule("spring-ignored", "A spring, damper or feedback is left out."),
     rule("outside-world", "A body stands outside the world."),
+    rule("unknown-word", "An element or attribute means nothing where it stands."),
 ];
 
 /// All rules.

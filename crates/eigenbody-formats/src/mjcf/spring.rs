@@ -8,7 +8,7 @@
 //! ```
 //! Of polynomial springs and dampers the linear part counts. What saturates is taken as if it did not.
 
-use super::attribute::{array, keyword, number, numbers};
+use super::attribute::{array, keyword, number, numbers, value_fault};
 use super::coupling::{ACTUATORS, Sections};
 use super::defaults::{MAIN, Styled};
 use super::fault::Fault;
@@ -329,8 +329,10 @@ impl Options {
         let mut stepping = Stepping::default();
         let mut off = Vec::new();
         for option in root.children_named("option") {
-            if let Some(step) = number(option.find("timestep"), "option")?.filter(|&step| step > 0.0) {
-                stepping.step = step;
+            if let Some(attribute) = option.find("timestep") {
+                let step = number(Some(attribute), "option")?.filter(|&step| step > 0.0);
+                let fault = || value_fault(attribute, "option", &attribute.value, "more than 0");
+                stepping.step = step.ok_or_else(fault)?;
             }
             let words = ["Euler", "RK4", "implicit", "implicitfast"];
             match keyword(option.find("integrator"), "option", &words)? {

@@ -16,12 +16,14 @@ mod look;
 mod parts;
 mod pose;
 mod scope;
+mod words;
 
 pub use fault::SdfFault;
 
 use crate::error::FormatError;
 use crate::file::Shelf;
 use crate::loaded::{Kind as Source, Loaded, Note, Places};
+use crate::slips::slips;
 use crate::xml::{Files, Spot, XmlFault};
 use eigenbody::Base;
 use eigenbody::dynamics::{Closure, Tie};
@@ -100,7 +102,12 @@ pub(crate) fn read_text(
         let (file, at) = files.locate(*at);
         (file.to_owned(), at, Note::Loop { element: closure.name.clone() })
     };
-    let notes = cut.iter().map(note).collect();
+    let loops: Vec<_> = cut.iter().map(note).collect();
+    let slips = slips(&&root, words::VOCABULARY).into_iter().map(|(at, note)| {
+        let (file, at) = files.locate(at);
+        (file.to_owned(), at, note)
+    });
+    let notes = loops.into_iter().chain(slips).collect();
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
     Ok(Loaded { looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })

@@ -9,7 +9,11 @@ pub(super) fn pose(element: &Element) -> Result<(Transform<f64>, Option<&str>), 
     let Some(pose) = child(element, "pose")? else { return Ok((Transform::IDENTITY, None)) };
     let relative_to = pose.get("relative_to").or(pose.get("frame")).filter(|name| !name.is_empty());
     let quaternion = pose.get("rotation_format") == Some("quat_xyzw");
-    let scale = if pose.get("degrees") == Some("true") { 1f64.to_radians() } else { 1.0 };
+    let scale = match pose.get("degrees") {
+        Some("true" | "1") => 1f64.to_radians(),
+        None | Some("false" | "0") => 1.0,
+        Some(text) => return Err(value_fault(pose, text, "'degrees' to be true or false")),
+    };
     let E = match (numbers(pose)?.as_slice(), quaternion) {
         ([], _) => return Ok((Transform::IDENTITY, relative_to)),
         (&[x, y, z, roll, pitch, yaw], false) => {

@@ -115,7 +115,7 @@ impl<'a, 'i: 'a> Element<'a, 'i> {
     }
 
     /// `<link name="arm">`, `<mass>`: enough to recognise it.
-    fn described(self) -> String {
+    pub fn described(self) -> String {
         match self.find("name") {
             Some(name) => format!("{} '{}'", self.tag(), shortened(name.value())),
             None => format!("<{}>", self.tag()),

@@ -12,6 +12,7 @@ mod look;
 mod pose;
 mod rotor;
 mod spring;
+mod words;
 
 pub use fault::UrdfFault;
 pub use rotor::Rotor;
@@ -19,6 +20,7 @@ pub use rotor::Rotor;
 use crate::error::FormatError;
 use crate::loaded::{Kind, Loaded, Note, Places};
 use crate::location::Location;
+use crate::slips::slips;
 use crate::suggest::did_you_mean;
 use eigenbody::model::{LinkId, Place};
 use eigenbody::{Base, BuildError, Model, ModelBuilder};
@@ -94,6 +96,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         (file_name.to_owned(), at, Note::Rotor { joint: rotor.joint.clone() })
     });
     notes.extend(noted);
+    offsets.notes.extend(slips(&robot, words::VOCABULARY));
     notes.extend(offsets.notes.into_iter().map(|(offset, note)| {
         let at = Location::at(text.as_bytes(), offset);
         (file_name.to_owned(), at, note)

@@ -175,6 +175,29 @@ fn inertials_that_are_not_whole_are_noted() {
     assert_snapshot!(notes(&format!("{MASS}{}", INERTIA.replace(r#"iyz="0""#, ""))), @"r.urdf:1:17: warning: <inertial> of link 'a' has no <inertia> of six entries: its mass counts as a point");
 }
 
+/// A word that nobody reads is noted where another one may have been meant; words of others are let be.
+#[test]
+fn slips_are_noted() {
+    let notes = |elements: &str| {
+        let text = format!("<robot name='r'><link name='a'/><link name='b'/>{elements}</robot>");
+        let loaded = read_urdf_str(&text, "r.urdf", &UrdfOptions::default()).unwrap();
+        loaded.findings().into_iter().filter(|line| line.contains("means nothing")).collect::<Vec<_>>()
+    };
+    let joint = |rest: &str| {
+        notes(&format!("<joint name='j' type='revolute'><parent link='a'/><child link='b'/>{rest}</joint>"))
+            .concat()
+    };
+    assert_snapshot!(joint("<orgin xyz='0 0 1'/>"), @"r.urdf:1:116: warning: <orgin> in joint 'j' means nothing there and is passed over; did you mean 'origin'?");
+    assert_snapshot!(joint("<origin xzy='0 0 1'/>"), @"r.urdf:1:124: warning: 'xzy' in <origin> means nothing there and is passed over; did you mean 'xyz'?");
+    assert_snapshot!(joint("<axes xyz='0 0 1'/>"), @"r.urdf:1:116: warning: <axes> in joint 'j' means nothing there and is passed over; did you mean 'axis'?");
+    assert_snapshot!(joint("<limit low='1'/>"), @"r.urdf:1:123: warning: 'low' in <limit> means nothing there and is passed over");
+    assert_snapshot!(notes("<lnk name='c'/>").concat(), @"r.urdf:1:49: warning: <lnk> in robot 'r' means nothing there and is passed over; did you mean 'link'?");
+    let others =
+        "<gazebo reference='a'/><sensor/><link name='c' id='3'><contact/><self_collision_checking/></link>
+        <joint name='k' type='fixed'><parent link='a'/><child link='c'/><hardwareInterface/></joint>";
+    assert_eq!(notes(others), [""; 0]);
+}
+
 #[test]
 fn crossed_limits_are_no_limits() {
     let text = "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'>

@@ -184,7 +184,7 @@ pub(super) fn of_bodies<T: Real>(links: &[LinkInfo<T>], bodies: &[Body<T>], fram
 }
 
 /// Principal moments about the centre of mass, ascending.
-fn principal_moments<T: Real>(inertia: &RigidInertia<T>) -> [f64; 3] {
+pub(super) fn principal_moments<T: Real>(inertia: &RigidInertia<T>) -> [f64; 3] {
     let (m, h) = (inertia.m.to_f64(), inertia.h.map(T::to_f64));
     let mut I = inertia.I.map(T::to_f64);
     if m > 0.0 {

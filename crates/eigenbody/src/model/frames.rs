@@ -22,6 +22,8 @@ const ROUND: f64 = 4.0;
 const STEEP: f64 = 0.5;
 /// Along parallel axes shifts add up: no further than so many times what a body and its carrier are long.
 const FAR: f64 = 2.0;
+/// Nor so far that Σ m z² is as many times the moment of inertia about the axis, unless it was.
+const THIN: f64 = 256.0;
 
 /// What is known of C and r.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -196,7 +198,10 @@ impl<T: Real> Standing<T> {
             Twist::Corner | Twist::OtherCorner => -self.r.x / z.x,
             Twist::Any => return T::ZERO,
         };
-        if shift.abs() > far {
+        let shifted = self.I.shifted(Offset::new(Vec3::Z * -shift, Zero::None));
+        let (before, after) = (self.I.P, shifted.P);
+        let thin = after.zz > before.zz.max((before.xx + before.yy) * T::from_f64(THIN));
+        if shift.abs() > far || thin {
             self.twist = Twist::Any;
             return T::ZERO;
         }
@@ -206,7 +211,7 @@ impl<T: Real> Standing<T> {
             Twist::Corner | Twist::OtherCorner => self.r.x = T::ZERO,
             _ => self.r.y = T::ZERO,
         }
-        self.I = self.I.shifted(Offset::new(Vec3::Z * -shift, Zero::None));
+        self.I = shifted;
         shift
     }
 }

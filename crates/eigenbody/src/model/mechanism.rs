@@ -2,6 +2,7 @@
 
 use super::Model;
 use super::body::{Body, WORLD};
+use super::finding::principal_moments;
 use super::frames::{Frames, Standing, Twist};
 use crate::joint::Joint;
 use crate::scalar::{MOST_COLUMNS, Real};
@@ -58,12 +59,16 @@ pub(crate) struct Mechanism<T> {
     pub ascending: bool,
     /// The longest path from the world, in bodies.
     pub depth: usize,
+    /// What moments of inertia may lose in other axes than their bodies' own is not worth speaking of.
+    pub stout: bool,
 }
 
 /// Slots of a block.
 pub(crate) const COLUMNS: usize = MOST_COLUMNS;
 /// Slots of a mechanism up to which rows of H are laid out in blocks. In longer chains, the axes of a root collect what every joint rounds.
 pub(crate) const SMALL: usize = 64;
+/// In a stout mechanism, no Σ m ρ² about a hinge is so many times the least moment of inertia that the hinge can feel.
+const STOUT: f64 = 4096.0;
 /// A slot without a degree of freedom.
 pub(crate) const EMPTY: u32 = u32::MAX;
 
@@ -170,6 +175,7 @@ impl<T: Real> Mechanism<T> {
             full: false,
             ascending: true,
             depth: 0,
+            stout: true,
             members: Vec::with_capacity(bodies.len()),
             angles: Vec::with_capacity(bodies.len()),
             sin_offset: Vec::with_capacity(bodies.len()),
@@ -237,8 +243,49 @@ impl<T: Real> Mechanism<T> {
         mechanism.cos_offset.resize(whole, T::ONE);
         if mechanism.slots.len() <= SMALL {
             mechanism.lay_out_rows(nv);
+            mechanism.stout = mechanism.thinness() <= STOUT;
         }
         mechanism
+    }
+
+    /// How many times what a hinge carries may outweigh, far out along its axis, what the hinge feels of it: the largest
+    ///
+    /// ```text
+    /// Σ m ρ² / (I_zz + Σ λmin(I))        over what body i carries: ρ no less than the way there, I about each centre of mass
+    /// ```
+    /// H_dd is the difference of numbers as large as the one, where axes are not the body's own, and no less than the other.
+    fn thinness(&self) -> f64 {
+        /// Σ m, Σ m ρ and Σ m ρ² about a body's origin, and what its hinge feels at least.
+        #[derive(Clone, Copy, Default)]
+        struct Carried {
+            m: f64,
+            first: f64,
+            second: f64,
+            felt: f64,
+        }
+        let mut carried = vec![Carried::default(); self.members.len()];
+        let mut worst = 0.0f64;
+        for (i, member) in self.members.iter().enumerate().rev() {
+            let (m, P) = (member.I.m.to_f64(), member.I.P.map(T::to_f64));
+            let (second, least) = (P.xx + P.yy + P.zz, principal_moments(&member.I.rigid())[0].max(0.0));
+            let all = &mut carried[i];
+            (all.m, all.second) = (all.m + m, all.second + second);
+            all.first += (m * second).max(0.0).sqrt();
+            let own = if member.motion == MotionKind::Hinge { P.xx + P.yy } else { least };
+            if !(member.motion == MotionKind::Slide || member.is_free_root() || all.second == 0.0) {
+                worst = worst.max(all.second / (all.felt + own));
+            }
+            all.felt += least;
+            let (all, way) = (*all, member.r.norm().to_f64());
+            if let Some(parent) = (member.parent as usize).checked_sub(1) {
+                let parent = &mut carried[parent];
+                parent.m += all.m;
+                parent.first += all.first + way * all.m;
+                parent.second += all.second + way * (2.0 * all.first + way * all.m);
+                parent.felt += all.felt;
+            }
+        }
+        worst
     }
 
     /// Where the rows of H go.

@@ -171,7 +171,7 @@ impl<'m> Evaluator<'m> {
         };
         self.add(q, &self.lifted(&H, softest), down, &mut gradient)?;
         self.add(q, &self.lifted(&H, stiffest), -up, &mut gradient)?;
-        if own_units {
+        if own_units || self.metric == Metric::UnitDiagonal {
             for d in 0..softest.len() {
                 let weight = up * max * stiffest[d].powi(2) - down * min * softest[d].powi(2);
                 let mut one = vec![0.0; softest.len()];

@@ -94,7 +94,7 @@ pub(crate) fn extremes_from(
         return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
     }
     let (low, high, passes) = search(pencil, diagonal);
-    let largest = high.value().unwrap_or(f64::INFINITY);
+    let largest = known_largest(&high, pencil, diagonal);
     let gaps = [low.value().map_or(0.0, |value| low.gap(value)), high.gap(largest)];
     let ending = Ending { pencil, precision, largest };
     // Without a λmin, the mode of zero tells how far rounding reaches.
@@ -109,6 +109,12 @@ pub(crate) fn extremes_from(
     Ok(Extremes { min, max, passes })
 }
 
+/// λmax: counts find none where there is no inertia at all.
+fn known_largest(high: &Search, pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> f64 {
+    let [_, most, _] = pencil.ratios(diagonal);
+    high.value().unwrap_or(if most > 0.0 { f64::INFINITY } else { 0.0 })
+}
+
 /// A bound on λmin that holds whatever was lost: the smallest H_dd/B_d, where the estimate is larger or not a number.
 fn known_bound(estimate: f64, pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> f64 {
     let [bound, ..] = pencil.ratios(diagonal);
@@ -121,7 +127,7 @@ fn known_bound(estimate: f64, pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> f64
 /// from zero.
 pub(crate) fn extreme_values(pencil: &Pencil<'_, f64>, diagonal: &[f64]) -> (Option<f64>, f64) {
     let (low, high, _) = search(pencil, diagonal);
-    (low.value(), high.value().unwrap_or(f64::INFINITY))
+    (low.value(), known_largest(&high, pencil, diagonal))
 }
 
 /// Brackets of both ends, and the passes they took: four shifts to each end, eight to one that is left over.
@@ -174,7 +180,10 @@ impl Ending<'_> {
         let errors = absolute_errors(pencil, values, factors.motions(), &x);
         pencil.fill_base(factors.motions(), &mut x);
         drop(factors);
-        let estimate = |k: usize| (f64::EPSILON * values[k] + errors[k].counted) / values[k];
+        let estimate = |k: usize| match values[k] {
+            0.0 => 0.0,
+            value => (f64::EPSILON * value + errors[k].counted) / value,
+        };
         let extreme = |k: usize| Extreme {
             value: values[k],
             vector: x.iter().map(|x: &Array<2>| x.0[k]).collect(),

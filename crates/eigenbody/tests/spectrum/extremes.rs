@@ -3,10 +3,12 @@
 use super::systems::{System, exact, metrics, systems};
 use crate::reference::{Row, families, further, number, relative_error};
 use eigenbody::error::InputError;
-use eigenbody::scalar::{Dd, Scalar};
+use eigenbody::model::JointSpec;
+use eigenbody::scalar::{Dd, Real, Scalar};
+use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
 use eigenbody::spectrum::sturm::Pencil;
 use eigenbody::spectrum::{Extreme, Extremes, Precision, Unresolved, extremes};
-use eigenbody::{Family, Metric, Model};
+use eigenbody::{Base, Family, Joint, Metric, Model, ModelBuilder};
 use std::f64::consts::PI;
 
 const PRECISIONS: [Precision; 3] = [Precision::F64, Precision::Auto, Precision::Dd];
@@ -199,5 +201,47 @@ fn weights_choose_what_takes_part() {
     for end in [one.min.unwrap(), one.max] {
         // 100 ε: gravity's part cancels
         assert!((end.value / felt - 1.0).abs() <= 100.0 * f64::EPSILON, "{} {felt}", end.value);
+    }
+}
+
+/// Where there is no inertia at all, both ends are zero.
+#[test]
+fn nothing_to_move() {
+    let mut robot = ModelBuilder::new("nothing");
+    let [base, link] = ["base", "link"].map(|name| robot.link(name, RigidInertia::ZERO));
+    robot.joint(JointSpec::new("hinge", Joint::Revolute, base, link).about(Vec3::Z));
+    let model: Model<f64> = robot.build(Base::Fixed).unwrap();
+    let Extremes { min, max, .. } =
+        extremes(&Pencil::euclidean(&model, &[0.3], false).unwrap(), Precision::Auto).unwrap();
+    assert_eq!((min, max.value, max.error_estimate), (Err(Unresolved { below: 0.0 }), 0.0, 0.0));
+}
+
+/// A ball, a light body, a universal joint at which its axes are no unit vectors of one frame, a heavy body: what the light one feels is
+/// left of what cancels, and the estimate knows it.
+#[test]
+fn behind_a_universal_joint() {
+    for light in [1e-3, 1e-5, 1e-7] {
+        let mut robot = ModelBuilder::new("universal");
+        let body = |m: f64, com: Vec3<f64>, [x, y, z]: [f64; 3]| {
+            RigidInertia::from_com(m, com, Sym3::diagonal(m * x, m * y, m * z))
+        };
+        let base = robot.link("base", RigidInertia::ZERO);
+        let ball = robot.link("light", body(light, Vec3::ZERO, [1.0, 1.1, 1.2]));
+        let tip = robot.link("heavy", body(1.0, Vec3::new(0.2, 0.1, 0.3), [0.4, 0.5, 0.6]));
+        robot.joint(JointSpec::new("ball", Joint::Spherical, base, ball));
+        let universal = JointSpec::new("universal", Joint::Universal { first: Vec3::X }, ball, tip);
+        robot.joint(universal.at(Transform::translation(Vec3::new(0.1, 0.2, 0.3))));
+        let model: Model<f64> = robot.build(Base::Fixed).unwrap();
+        let q = vec![1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let system = System::new("universal", model, q, false);
+        for precision in PRECISIONS {
+            let pencil = system.pencil();
+            let min = extremes(&pencil, precision).unwrap().min.unwrap();
+            let expected = exact(&system.matrix(), &pencil)[0].to_f64();
+            let error = (min.value / expected - 1.0).abs();
+            let at = format!("{light:e} {precision:?}: {error:e} of {:e}", min.error_estimate);
+            assert!(error <= min.error_estimate, "{at}");
+            assert!(min.error_estimate <= if precision == Precision::F64 { 1e-7 } else { 1e-12 }, "{at}");
+        }
     }
 }

@@ -4,8 +4,8 @@
 //! R_i = R_p Eᵀ        the axes of body i, as columns        R = 1 at a root
 //! r_i = R_p r         its origin, seen from its parent's
 //! ```
-//! Every vector and inertia of body i is about its own origin, so that nothing cancels that did not in the body's frame; moving it
-//! to the parent is a shift by r alone. Neither H nor C depend on where a free base stands, nor on how its axes lie.
+//! Every vector and inertia of body i is about its own origin; moving it to the parent is a shift by r alone. What a hinge feels of mass
+//! far out along its axis cancels here, and not in the body's frame: a mechanism for which that matters is not stout. Neither H nor C depend on where a free base stands, nor on how its axes lie.
 
 mod aba;
 mod crba;
@@ -21,9 +21,9 @@ use crate::model::{Mechanism, Member, MotionKind, SMALL, with_twist};
 use crate::scalar::{Quad, Real, Scalar};
 use crate::spatial::{Motion, Placed, Rotation, ThenZ, Vec3};
 
-/// Whether a mechanism is of the size that this is for, and T one number.
+/// Whether a mechanism is of the size and the build that this is for, and T one number.
 pub(super) fn suits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {
-    mechanism.slots.len() <= SMALL && size_of::<T>() == size_of::<T::Constant>()
+    mechanism.slots.len() <= SMALL && mechanism.stout && size_of::<T>() == size_of::<T::Constant>()
 }
 
 /// A body's axes and where its origin stands, seen from its parent's.

@@ -6,6 +6,8 @@
 //! IA_d and IA'_d: the inertia before and after hinge d is eliminated; a_d and a'_d: the motion, in the mode x, of the body outboard
 //! and inboard of it; f_i: the momentum of all that body i carries.
 //!
+//! Where S_d is no unit vector, |IA'_d| is |IA'_d| + |U_d||U_d|ᵀ/|D_d|, of which IA'_d is what cancels.
+//!
 //! *Arithmetic.* Rounding in a step perturbs either inertia by E with |E| of order ε|IA|, which perturbs H by JᵀEJ and the
 //! eigenvalue by aᵀEa/xᵀBx. A hinge whose pivot nearly vanishes leaves a large IA' behind: the second term sees it.
 //! *Geometry.* X_up and S are rounded; that changes a_i = X_up a_p + S x by δa_i and twice the kinetic energy by 2 f_iᵀδa_i.
@@ -114,6 +116,12 @@ impl<T: Scalar<Constant = f64>> Pivots<T> for Sum<'_, T> {
     fn pivot(&mut self, d: usize, column: Column, hinge: &Hinge<T>) {
         self.a = column.moved(self.a, self.pencil.S[d].map(T::constant), -self.x[d]);
         self.total += size(&hinge.IA, self.a);
+        if column == Column::General {
+            let (a, U) = (self.a, hinge.U);
+            let along = Motion::new(absolute(a.ang), absolute(a.lin))
+                .dot(Force::new(absolute(U.ang), absolute(U.lin)));
+            self.total += along * along * hinge.D_inverse.abs();
+        }
     }
 
     #[inline(always)]
