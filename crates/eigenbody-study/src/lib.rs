@@ -30,6 +30,7 @@ mod lab;
 pub mod monitor;
 pub mod motion;
 pub mod portrait;
+mod precision;
 mod row;
 pub mod shah_saha;
 pub mod simulate;
