@@ -41,4 +41,4 @@ pub use claim::{CLAIMS, Check, Claim, Kind, Reading, Verdict};
 pub use experiment::{EXPERIMENTS, Experiment, Outcome, Paper, UnknownId, select};
 pub use lab::{Bench, Lab, Robots, StudyError};
 pub use row::{Cell, Field, Shape};
-pub use table::{Column, Subject, Table, Values};
+pub use table::{Column, Rows, Subject, Table, Values};
