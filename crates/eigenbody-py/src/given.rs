@@ -5,11 +5,11 @@ use crate::error::Failure;
 use crate::model::Shared;
 use eigenbody::InputError;
 use eigenbody_formats::motion::Wanted;
-use eigenbody_formats::{Motion, MotionOptions, gains, velocity};
+use eigenbody_formats::{gains, velocity};
 use eigenbody_study::simulate::Trajectory;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A configuration or a velocity: a text, or numbers.
 #[derive(FromPyObject)]
@@ -122,7 +122,7 @@ impl Table<'_> {
         let robot = &shared.robot;
         let (nq, all) = (robot.model.nq(), |row: &[f64]| robot.expand(row).into_owned());
         match self {
-            Self::File(file) => from_file(file, shared, Wanted::Configurations, nq),
+            Self::File(file) => from_file(file, shared, Wanted::Configurations),
             Self::Numbers((times, rows)) => numbers(what, times, rows, shared.nq, nq, all),
         }
     }
@@ -140,31 +140,18 @@ impl Table<'_> {
             }
         };
         match self {
-            Self::File(file) => from_file(file, shared, Wanted::Forces, nv),
+            Self::File(file) => from_file(file, shared, Wanted::Forces),
             Self::Numbers((times, rows)) => numbers(what, times, rows, shared.nv, nv, all),
         }
     }
 }
 
-fn from_file(
-    file: &std::path::Path,
-    shared: &Shared,
-    wanted: Wanted,
-    width: usize,
-) -> Result<Trajectory, Failure> {
-    let mimic = shared.robot.reduction.mimic;
-    let options = MotionOptions { mimic, wanted, ..MotionOptions::default() };
-    let failed = |error: &dyn std::fmt::Display| Failure::Input {
+fn from_file(file: &Path, shared: &Shared, wanted: Wanted) -> Result<Trajectory, Failure> {
+    let robot = &shared.robot;
+    Trajectory::read(file, &robot.model, robot.reduction.mimic, wanted).map_err(|error| Failure::Input {
         message: error.to_string(),
         what: Some(file.display().to_string()),
-    };
-    let mut table = Motion::open(file, &shared.robot.model, options).map_err(|error| failed(&error))?;
-    let (mut times, mut rows) = (Vec::new(), Vec::new());
-    while let Some(row) = table.next_row().map_err(|error| failed(&error))? {
-        times.push(row.t);
-        rows.push(row.q);
-    }
-    Trajectory::new(times, rows, width).map_err(|error| failed(&format!("{}: {error}", file.display())))
+    })
 }
 
 fn numbers(

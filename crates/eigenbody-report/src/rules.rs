@@ -30,7 +30,7 @@ pub const OF_MODELS: &[Rule] = &[
     rule("gyration-radius", "A link's mass is spread wider than any robot is."),
     rule("units", "Densities suggest masses in grams or lengths in millimetres."),
     rule("twin-differs", "A left and a right link of the same name differ."),
-    rule("mimic-unknown", "A mimic joint follows no moving joint."),
+    rule("mimic-unknown", "A mimic joint follows no moving joint, or one of several coordinates."),
     rule("no-name", "The robot has no name."),
     rule("crossed-limits", "A lower limit is above the upper one."),
     rule("no-mass", "An inertial has no mass."),

@@ -10,8 +10,8 @@ use std::io::{self, Write};
 /// If `out` cannot be written.
 ///
 /// ```
-/// use eigenbody_study::Table;
-/// let mut table = Table::new(&[("curve", "")], &[("t", "s"), ("kappa", "1")]);
+/// use eigenbody_study::Rows;
+/// let mut table = Rows::new(&[("curve", "")], &[("t", "s"), ("kappa", "1")]);
 /// table.push(["θ = 0".into()], [Some(0.5), None]);
 /// let mut text = Vec::new();
 /// eigenbody_report::write_table_csv(&table, &mut text)?;

@@ -1,10 +1,10 @@
 use eigenbody_report::write_table_csv;
-use eigenbody_study::Table;
+use eigenbody_study::Rows;
 
 /// Commas and quotes in words do not break a row; numbers parse back to the same bits.
 #[test]
 fn csv_is_exact() {
-    let mut table = Table::new(&[("curve", "")], &[("kappa", "1")]);
+    let mut table = Rows::new(&[("curve", "")], &[("kappa", "1")]);
     let kappa = 10230462.98289487;
     table.push(["curl(0), \"R\" = 1".into()], [Some(kappa)]);
     table.push(["none".into()], [None]);

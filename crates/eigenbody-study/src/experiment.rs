@@ -57,8 +57,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    pub(crate) fn new(table: Table, readings: Vec<Reading>) -> Self {
-        Self { table, readings, remark: String::new() }
+    pub(crate) fn new(table: impl Into<Table>, readings: Vec<Reading>) -> Self {
+        Self { table: table.into(), readings, remark: String::new() }
     }
 
     pub(crate) fn remarking(self, remark: impl Into<String>) -> Self {

@@ -1,6 +1,7 @@
 //! Columns with names and units: what an experiment yields.
 
 use eigenbody::{Family, Posture};
+use std::ops::Deref;
 
 /// The cells of a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,17 +39,9 @@ pub struct Column {
 }
 
 /// Rows under named columns.
-///
-/// ```
-/// use eigenbody_study::Table;
-/// let mut table = Table::new(&[("curve", "")], &[("N", "1"), ("kappa", "1")]);
-/// table.push(["θ = 0".into()], [Some(2.0), Some(43.9)]);
-/// assert_eq!(table.number("kappa"), [Some(43.9)]);
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     columns: Vec<Column>,
-    words: usize,
     /// A row and the robot that it is about, rows ascending.
     subjects: Vec<(usize, Subject)>,
 }
@@ -62,22 +55,43 @@ pub struct Subject {
     pub posture: Posture,
 }
 
-impl Table {
+/// A [`Table`] to which rows of W words and N numbers are added.
+///
+/// ```
+/// use eigenbody_study::Rows;
+/// let mut table = Rows::new(&[("curve", "")], &[("N", "1"), ("kappa", "1")]);
+/// table.push(["θ = 0".into()], [Some(2.0), Some(43.9)]);
+/// assert_eq!(table.number("kappa"), [Some(43.9)]);
+/// ```
+/// A row of another width is none:
+///
+/// ```compile_fail
+/// # use eigenbody_study::Rows;
+/// # let mut table = Rows::new(&[("curve", "")], &[("N", "1"), ("kappa", "1")]);
+/// table.push(["θ = 0".into()], [Some(2.0), Some(43.9), Some(0.1)]);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rows<const W: usize, const N: usize>(Table);
+
+impl<const W: usize, const N: usize> Rows<W, N> {
     /// No rows yet; columns of words stand before columns of numbers. Each is a name and a unit.
-    pub fn new(words: &[(&'static str, &'static str)], numbers: &[(&'static str, &'static str)]) -> Self {
+    pub fn new(
+        words: &[(&'static str, &'static str); W],
+        numbers: &[(&'static str, &'static str); N],
+    ) -> Self {
         let text = words.iter().map(|&(name, unit)| Column { name, unit, values: Values::Text(Vec::new()) });
         let number =
             numbers.iter().map(|&(name, unit)| Column { name, unit, values: Values::Number(Vec::new()) });
-        Self { columns: text.chain(number).collect(), words: words.len(), subjects: Vec::new() }
+        Self(Table { columns: text.chain(number).collect(), subjects: Vec::new() })
     }
 
-    /// Adds a row: first the words, then the numbers. Cells beyond the columns are dropped, missing ones are empty.
-    pub fn push<const W: usize, const N: usize>(&mut self, words: [String; W], numbers: [Option<f64>; N]) {
+    /// Adds a row: first the words, then the numbers.
+    pub fn push(&mut self, words: [String; W], numbers: [Option<f64>; N]) {
         let (mut words, mut numbers) = (words.into_iter(), numbers.into_iter());
-        for column in &mut self.columns {
+        for column in &mut self.0.columns {
             match &mut column.values {
-                Values::Text(cells) => cells.push(words.next().unwrap_or_default()),
-                Values::Number(cells) => cells.push(numbers.next().flatten()),
+                Values::Text(cells) => cells.extend(words.next()),
+                Values::Number(cells) => cells.extend(numbers.next()),
             }
         }
     }
@@ -85,27 +99,30 @@ impl Table {
     /// Says which robot the last row is about.
     pub fn about(&mut self, robot: Family, posture: Posture) {
         if let Some(last) = self.rows().checked_sub(1) {
-            self.subjects.push((last, Subject { robot, posture }));
+            self.0.subjects.push((last, Subject { robot, posture }));
         }
     }
+}
 
+impl<const W: usize, const N: usize> Deref for Rows<W, N> {
+    type Target = Table;
+
+    fn deref(&self) -> &Table {
+        &self.0
+    }
+}
+
+impl<const W: usize, const N: usize> From<Rows<W, N>> for Table {
+    fn from(rows: Rows<W, N>) -> Self {
+        rows.0
+    }
+}
+
+impl Table {
     /// The robot that a row is about, where rows are about one each.
     pub fn subject(&self, row: usize) -> Option<&Subject> {
         let k = self.subjects.binary_search_by_key(&row, |subject| subject.0).ok()?;
         Some(&self.subjects[k].1)
-    }
-
-    /// Adds the rows of a table with the same columns.
-    pub fn append(&mut self, other: Self) {
-        let rows = self.rows();
-        self.subjects.extend(other.subjects.into_iter().map(|(row, subject)| (rows + row, subject)));
-        for (column, more) in self.columns.iter_mut().zip(other.columns) {
-            match (&mut column.values, more.values) {
-                (Values::Text(cells), Values::Text(more)) => cells.extend(more),
-                (Values::Number(cells), Values::Number(more)) => cells.extend(more),
-                _ => {}
-            }
-        }
     }
 
     /// All columns, in order.

@@ -16,3 +16,4 @@ mod motion;
 mod sensitivity;
 mod simulate;
 mod stepping;
+mod sweep;

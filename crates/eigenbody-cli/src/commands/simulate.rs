@@ -9,13 +9,12 @@ use eigenbody::dynamics::energy;
 use eigenbody::spatial::Vec3;
 use eigenbody::{Model, Reduction};
 use eigenbody_formats::motion::Wanted;
-use eigenbody_formats::{Loaded, Motion, MotionOptions, gains, velocity};
+use eigenbody_formats::{Loaded, gains, velocity};
 use eigenbody_study::simulate::{
     Algorithm, Controller, DORMAND_PRINCE, Forces, Method, RK4, Report, Simulation, State, Steps, Trajectory,
     joint_limits, level, passive_springs,
 };
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::time::Instant;
 
 /// Events that are printed; more are counted.
@@ -163,7 +162,7 @@ fn forces(args: &SimulateArgs, loaded: &Loaded, reduction: Reduction) -> Result<
     let springs = passive_springs(model, own, &more(&args.damping)?, &more(&args.stiffness)?);
     let target = match (&args.hold, &args.follow) {
         (Some(posture), _) => Some(Trajectory::constant(loaded.configuration(posture, reduction.mimic)?)),
-        (None, Some(file)) => Some(trajectory(file, model, reduction, Wanted::Configurations)?),
+        (None, Some(file)) => Some(Trajectory::read(file, model, reduction.mimic, Wanted::Configurations)?),
         (None, None) => None,
     };
     let (frequency, ratio) =
@@ -173,28 +172,9 @@ fn forces(args: &SimulateArgs, loaded: &Loaded, reduction: Reduction) -> Result<
         .transpose()
         .map_err(numbers)?;
     let torque = match &args.torque {
-        Some(file) => Some(trajectory(file, model, reduction, Wanted::Forces)?),
+        Some(file) => Some(Trajectory::read(file, model, reduction.mimic, Wanted::Forces)?),
         None => None,
     };
     let rest = loaded.configuration(&args.rest, reduction.mimic)?;
     Ok(Forces { springs, rest, controller, torque })
-}
-
-/// A table as a trajectory.
-fn trajectory(
-    file: &Path,
-    model: &Model<f64>,
-    reduction: Reduction,
-    wanted: Wanted,
-) -> Result<Trajectory, Failure> {
-    let options = MotionOptions { mimic: reduction.mimic, wanted, ..MotionOptions::default() };
-    let mut table = Motion::open(file, model, options)?;
-    let (mut times, mut rows) = (Vec::new(), Vec::new());
-    while let Some(row) = table.next_row()? {
-        times.push(row.t);
-        rows.push(row.q);
-    }
-    let width = if wanted == Wanted::Forces { model.nv() } else { model.nq() };
-    Trajectory::new(times, rows, width)
-        .map_err(|error| Failure::Usage(format!("{}: {error}", file.display())))
 }

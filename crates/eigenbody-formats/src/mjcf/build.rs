@@ -30,8 +30,8 @@ pub(super) struct Parts {
     pub reference: Vec<f64>,
     /// Joints by what other sections call them: several if they were replicated.
     pub known: HashMap<String, Vec<Known>>,
-    /// Armature of the root's own free joint, which became the floating base.
-    pub base_armature: f64,
+    /// The root's own free joint that became the floating base, if there is one: where it stands, and its armature.
+    pub base_armature: Option<(Spot, f64)>,
     /// Bodies and sites by name.
     pub frames: Frames,
     /// What is drawn of links.
@@ -76,7 +76,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
         joint_spots: Vec::new(),
         reference: Vec::new(),
         known: HashMap::new(),
-        base_armature: 0.0,
+        base_armature: None,
         frames: Frames::default(),
         looks: Vec::new(),
         springs: Vec::new(),
@@ -95,7 +95,7 @@ pub(super) fn parts(tree: &mut Tree, root: &Element, name: &str, base: Base) -> 
             // The root of a floating base.
             None => {
                 let link = parts.link(&name, mass.about(Vec3::ZERO, scale), body.at);
-                parts.base_armature = body.joints.first().map_or(0.0, |j| j.armature);
+                parts.base_armature = body.joints.first().map(|joint| (joint.at, joint.armature));
                 parts.reference.extend(pose_coordinates(&body.pose));
                 Placed { link, origin: Vec3::ZERO }
             }

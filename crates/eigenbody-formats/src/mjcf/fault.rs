@@ -4,7 +4,7 @@ use super::mesh::MeshFault;
 use crate::error::FileFault;
 use crate::location::Location;
 use crate::xml::{Element, Spot, XmlFault};
-use eigenbody::BuildError;
+use eigenbody::{BuildError, InputError};
 use thiserror::Error;
 
 /// What is wrong at one place of an MJCF file.
@@ -91,6 +91,8 @@ pub enum MjcfFault {
     KeyQuaternion { name: String, joint: String },
     #[error("{error}; the first is at {first}")]
     Duplicate { error: BuildError, first: Location },
+    #[error("the floating base has {0}")]
+    Base(InputError),
     #[error("{0}")]
     Build(BuildError),
 }

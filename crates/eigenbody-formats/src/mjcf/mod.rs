@@ -262,11 +262,10 @@ fn finish(
         };
         fault(at, fault_kind)
     })?;
-    if base == Base::Floating && base_armature > 0.0 {
+    if let Some((at, base)) = base_armature {
         let mut armature = model.armature().to_vec();
-        armature[..6].fill(base_armature);
-        // One number a DoF, none negative: it cannot be refused.
-        model = model.clone().with_armature(armature).unwrap_or(model);
+        armature[..6].fill(base);
+        model = model.with_armature(armature).map_err(|error| fault(at, MjcfFault::Base(error)))?;
     }
     let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
     let closures = loops.iter().map(close).collect();

@@ -11,10 +11,10 @@
 //! The same robot in f32, f64 and double-double, random τ in units of each joint's own inertia, the configuration rounded to f32.
 
 use crate::StudyError;
+use crate::precision::{cholesky, error, ltl, numbers, unless_singular};
 use eigenbody::dynamics::forward_dynamics;
-use eigenbody::factor::{Cholesky, Ltl};
 use eigenbody::model::Random;
-use eigenbody::scalar::{Dd, Real, Scalar};
+use eigenbody::scalar::{Dd, Real};
 use eigenbody::spectrum::Precision;
 use eigenbody::{Metric, Model, Reduction, mass_matrix};
 
@@ -87,7 +87,7 @@ pub(super) fn measure(
     let wide: Model<Dd> = model.cast();
     let mut exact = Vec::new();
     for tau in &sides {
-        match cholesky(&wide, &q, reduction, tau)? {
+        match by_cholesky(&wide, &q, reduction, tau)? {
             Some(x) => exact.push(x),
             None => return Ok(None),
         }
@@ -105,12 +105,12 @@ pub(super) fn measure(
     add(
         "H by CRBA, Cholesky",
         predicted_loss,
-        &|model, q, tau| cholesky(model, q, reduction, tau),
-        &|model, q, tau| cholesky(model, q, reduction, tau),
+        &|model, q, tau| by_cholesky(model, q, reduction, tau),
+        &|model, q, tau| by_cholesky(model, q, reduction, tau),
     )?;
     if !reduced {
-        add("H by CRBA, LTL", predicted_loss, &ltl, &ltl)?;
-        add("articulated bodies", by_sweep(model, reduction, &q)?, &aba, &aba)?;
+        add("H by CRBA, LTL", predicted_loss, &by_ltl, &by_ltl)?;
+        add("articulated bodies", by_sweep(model, reduction, &q)?, &by_aba, &by_aba)?;
     }
     Ok(Some(Digits { predicted_loss, measured }))
 }
@@ -148,58 +148,30 @@ fn loss<T: Real>(
     let mut worst = 0.0f64;
     for (tau, exact) in sides.iter().zip(exact) {
         let Some(x) = solver(model, q, tau)? else { return Ok(f64::INFINITY) };
-        let (mut off, mut size) = (0.0, 0.0);
-        for ((x, exact), h) in x.iter().zip(exact).zip(own) {
-            off += h * (Dd::from_f64(x.to_f64()) - *exact).to_f64().powi(2);
-            size += h * exact.to_f64().powi(2);
-        }
-        let error = (off / size).sqrt() / T::EPSILON;
-        if !error.is_finite() {
-            return Ok(f64::INFINITY);
-        }
-        worst = worst.max(error);
+        worst = worst.max(error(&x, exact, own.iter().copied()));
     }
     Ok(worst.max(1.0).log10())
 }
 
-fn numbers<T: Real>(x: &[f64]) -> Vec<T> {
-    x.iter().map(|&x| T::from_f64(x)).collect()
+fn by_ltl<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
+    let H = mass_matrix(model, &numbers(q))?;
+    let mut x = numbers(tau);
+    unless_singular(ltl(model, &H, &mut x).map(|()| x))
 }
 
-fn ltl<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
-    let H = mass_matrix(model, &numbers::<T>(q))?;
-    let mut factors = Ltl::new(model.dofs());
-    let mut x = numbers::<T>(tau);
-    match factors.factor(&H) {
-        Ok(_) => factors.solve(&mut x)?,
-        Err(_) => return Ok(None),
-    }
-    Ok(Some(x))
-}
-
-fn aba<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
+fn by_aba<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
     let still = model.clone().with_gravity(eigenbody::spatial::Vec3::ZERO);
     let rest = vec![T::ZERO; model.nv()];
-    Ok(forward_dynamics(&still, &numbers::<T>(q), &rest, &numbers::<T>(tau)).ok())
+    unless_singular(forward_dynamics(&still, &numbers(q), &rest, &numbers(tau)))
 }
 
-/// H x = τ by Cholesky's factors; none if a pivot is not positive.
-fn cholesky<T: Real>(
+fn by_cholesky<T: Real>(
     model: &Model<T>,
     q: &[f64],
     reduction: Reduction,
     tau: &[f64],
 ) -> Result<Option<Vec<T>>, StudyError> {
-    let H = match reduction.mass_matrix(model, &numbers::<T>(q)) {
-        Ok(H) => H,
-        Err(eigenbody::Error::NotPositiveDefinite(_)) => return Ok(None),
-        Err(error) => return Err(error.into()),
-    };
-    let mut factors = Cholesky::new(H.rows());
-    let mut x = numbers::<T>(tau);
-    match factors.factor(&H) {
-        Ok(_) => factors.solve(&mut x)?,
-        Err(_) => return Ok(None),
-    }
-    Ok(Some(x))
+    let Some(H) = unless_singular(reduction.mass_matrix(model, &numbers(q)))? else { return Ok(None) };
+    let mut x = numbers(tau);
+    unless_singular(cholesky(&H, &mut x).map(|()| x))
 }

@@ -5,7 +5,7 @@ use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::fit::power;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::{Family, Posture};
 
 /// Branching factors.
@@ -107,7 +107,7 @@ pub fn fig16(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 pub fn fig17(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let n = 33;
     let numbers = [("B", "1"), ("joint", "1"), ("coordinate", "1"), ("carried", "1")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     let mut shape = Vec::new();
     let mut gathered = Vec::new();
     for factor in [1.0, 1.125] {

@@ -1,7 +1,7 @@
 //! What most figures are: κ against N, a curve a parameter.
 
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::{Rows, Table};
 use eigenbody::{Family, Posture, family::FamilyError};
 use rayon::prelude::*;
 
@@ -46,13 +46,13 @@ pub fn kappa_curves(
         .map(|(c, n)| Ok(((c, n), lab.kappa(&(curves[c].member)(n)?, curves[c].posture)?)))
         .collect();
     let found = found?;
-    let mut table = Table::new(&[("curve", "")], &[parameter, ("N", "1"), ("kappa", "1")]);
+    let mut table = Rows::new(&[("curve", "")], &[parameter, ("N", "1"), ("kappa", "1")]);
     for (c, n) in rows {
         let Curve { name, parameter, member, posture, .. } = &curves[c];
         table.push([name.clone()], [Some(*parameter), Some(n as f64), found.get(&(c, n)).copied()]);
         table.about(member(n)?, *posture);
     }
-    Ok(table)
+    Ok(table.into())
 }
 
 /// Planar chain of identical links.

@@ -6,7 +6,7 @@ use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::fit::power;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::{Family, Posture};
 use std::f64::consts::PI;
 
@@ -38,7 +38,7 @@ fn smallest_at(lab: &Lab<'_>, n: usize, theta: f64) -> Result<f64, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn fig11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("N", "1"), ("i", "1"), ("x", "1"), ("lambda", "kg m^2")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     let mut shares = Vec::new();
     for n in LINKS {
         let ascending = straight(lab, n)?;
@@ -78,7 +78,7 @@ pub fn fig11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 ///
 /// [`StudyError`], as every experiment.
 pub fn smallest(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    let mut table = Table::new(&[("curve", "")], &[("theta", "rad"), ("lambda_min", "kg m^2")]);
+    let mut table = Rows::new(&[("curve", "")], &[("theta", "rad"), ("lambda_min", "kg m^2")]);
     for n in [10, 100] {
         for step in 0..=60 {
             let angle = PI * f64::from(step) / 60.0;
@@ -95,7 +95,7 @@ pub fn smallest(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn fig12(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("N", "1"), ("i", "1"), ("period", "1"), ("lambda", "kg m^2")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     for n in LINKS {
         for (i, lambda) in straight(lab, n)?.into_iter().rev().enumerate() {
             let harmonic = i as f64 + 1.0;
@@ -133,7 +133,7 @@ pub fn fig12(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn fig13(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("R", "1"), ("i", "1"), ("x", "1"), ("lambda", "kg m^2")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     let (mut least, mut pace, mut roughness) = (Vec::new(), Vec::new(), Vec::new());
     for ratio in [1.0, 0.5, 0.2, 0.1] {
         let family = Family::hydra(50, 1.0, 0.0, 1.0)?.with_size_ratio(decimal(ratio))?;

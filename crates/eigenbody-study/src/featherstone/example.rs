@@ -4,7 +4,7 @@ use super::curves::planar;
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::spatial::Vec3;
 use eigenbody::{Posture, forward_dynamics, inverse_dynamics};
 use std::f64::consts::FRAC_PI_2;
@@ -28,7 +28,7 @@ pub fn eq1(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         ("vdot_desired", "rad/s^2"),
         ("vdot", "rad/s^2"),
     ];
-    let mut table = Table::new(&[], &numbers);
+    let mut table = Rows::new(&[], &numbers);
     for i in 0..8 {
         table.push([], [i as f64 + 1.0, tau[i], rounded[i], 1.0, vdot[i]].map(Some));
     }

@@ -5,7 +5,7 @@ use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::fit::power;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::{Rows, Table};
 use eigenbody::{Family, Posture};
 use std::f64::consts::PI;
 
@@ -230,7 +230,7 @@ pub fn fig8(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn asymptotic(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("N", "1"), ("kappa", "1"), ("estimate", "1"), ("ratio", "1")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     let mut shape = Vec::new();
     for posture in [Posture::Zag(0.0), Posture::Zag(2.5), Posture::Curl(0.3), Posture::Curl(1.0)] {
         let name = posture.to_string();

@@ -4,20 +4,20 @@ use super::curves::planar;
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::dynamics::link_pose;
 use eigenbody::{Family, Model, Posture};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 /// A table of planar links: from (x0, y0) to (x1, y1).
-pub(super) fn planar_links() -> Table {
+pub(super) fn planar_links() -> Rows<2, 5> {
     let numbers = [("link", "1"), ("x0", "m"), ("y0", "m"), ("x1", "m"), ("y1", "m")];
-    Table::new(&[("panel", ""), ("robot", "")], &numbers)
+    Rows::new(&[("panel", ""), ("robot", "")], &numbers)
 }
 
 /// Adds the links of an unbranched hydra robot, whose links are 1 m long, scaled.
 pub(super) fn push_links(
-    table: &mut Table,
+    table: &mut Rows<2, 5>,
     panel: &str,
     robot: &str,
     model: &Model<f64>,
@@ -53,7 +53,7 @@ pub fn fig1(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn fig2(_: &Lab<'_>) -> Result<Outcome, StudyError> {
     let tree = Family::hydra(12, 1.5, 0.0, 1.0)?;
-    let mut table = Table::new(&[], &[("link", "1"), ("parent", "1"), ("depth", "1")]);
+    let mut table = Rows::new(&[], &[("link", "1"), ("parent", "1"), ("depth", "1")]);
     let mut depth = [0.0; 13];
     for i in 1..=12 {
         depth[i] = depth[tree.parent(i)] + 1.0;
@@ -87,7 +87,7 @@ pub fn fig3(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let alpha = 0.5f64;
     let (s, c) = alpha.sin_cos();
     let numbers = ["x", "y", "z", "dx", "dy", "dz"].map(|name| (name, "m"));
-    let mut table = Table::new(&[("feature", "")], &numbers);
+    let mut table = Rows::new(&[("feature", "")], &numbers);
     let features = [
         ("tube, from end to end", [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]),
         ("radius", [0.0, 0.0, 0.0, 0.0, 0.05, 0.0]),
@@ -122,7 +122,7 @@ pub fn fig3(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 pub fn fig4(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let posed = lab.pose(&Family::onion(2, 1.0, 0.5, 0.7)?, Posture::Zero)?;
     let numbers = [("link", "1"), ("axis_x", "1"), ("axis_y", "1"), ("axis_z", "1"), ("size", "1")];
-    let mut table = Table::new(&[], &numbers);
+    let mut table = Rows::new(&[], &numbers);
     let links = posed.model.links().iter().enumerate().filter(|(_, link)| link.body().is_some());
     for (number, (index, _)) in (1..).zip(links) {
         let pose = link_pose(&posed.model, &posed.q, index)?;

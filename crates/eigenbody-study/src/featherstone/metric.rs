@@ -6,7 +6,7 @@ use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::fit::line;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::{Rows, Table};
 use eigenbody::{Family, Posture};
 use rayon::prelude::*;
 
@@ -26,12 +26,12 @@ fn both(
         })
         .collect();
     let numbers = [parameter, ("N", "1"), ("kappa", "1"), ("kappa_weighted", "1")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     for (name, numbers, family, posture) in rows? {
         table.push([name], numbers.map(Some));
         table.about(family, posture);
     }
-    Ok(table)
+    Ok(table.into())
 }
 
 /// Figure 20: κ and κ′ of hydra(N,1,0,1) in zag(θ).
@@ -128,7 +128,7 @@ pub fn fig21(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn h_prime(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("row", "1"), ("column", "1"), ("entry", "1")];
-    let mut table = Table::new(&[("matrix", "")], &numbers);
+    let mut table = Rows::new(&[("matrix", "")], &numbers);
     let mut readings = Vec::new();
     for (id, taper) in [("F-Hprime-1", 1.0), ("F-Hprime-half", 0.5)] {
         let H = lab.pose(&Family::hydra(5, 1.0, 0.0, taper)?, Posture::Curl(0.0))?.mass_matrix()?;

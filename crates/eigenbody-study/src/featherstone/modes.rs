@@ -5,7 +5,7 @@ use super::mechanisms::planar_links;
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::Posture;
 use eigenbody::spectrum::eigen;
 
@@ -16,7 +16,7 @@ use eigenbody::spectrum::eigen;
 /// [`StudyError`], as every experiment.
 pub fn fig14(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("N", "1"), ("mode", "1"), ("joint", "1"), ("coordinate", "1")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     let mut turns = Vec::new();
     let mut one_sign = true;
     for (name, n, mode) in

@@ -4,7 +4,7 @@ use super::curves::{Curve, OwnedMember, kappa_curves, samples};
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::{Subject, Table};
+use crate::table::{Rows, Subject, Table};
 use eigenbody::model::Random;
 use eigenbody::scalar::Dd;
 use eigenbody::spectrum::eigenvalues;
@@ -57,7 +57,7 @@ fn taper_curves(lab: &Lab<'_>, tapers: &[f64], last: impl Fn(f64) -> usize) -> R
 pub fn fig9(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let all =
         taper_curves(lab, &[0.7, 0.8, 0.9, 0.95, 0.99, 1.0], |taper| if taper < 0.9 { 100 } else { 560 })?;
-    let mut table = Table::new(&[("curve", "")], &[("rho", "1"), ("N", "1"), ("kappa", "1")]);
+    let mut table = Rows::new(&[("curve", "")], &[("rho", "1"), ("N", "1"), ("kappa", "1")]);
     let [rho, n, kappa] = ["rho", "N", "kappa"].map(|column| all.number(column));
     for (row, name) in all.text("curve").iter().enumerate() {
         if kappa[row].is_some_and(|kappa| kappa < SINGULAR) {
@@ -162,7 +162,7 @@ pub fn fig10(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         })
         .collect();
     let mut table =
-        Table::new(&[("curve", "")], &[("R", "1"), ("N", "1"), ("kappa", "1"), ("kappa_dense", "1")]);
+        Rows::new(&[("curve", "")], &[("R", "1"), ("N", "1"), ("kappa", "1"), ("kappa_dense", "1")]);
     for (name, numbers, family, posture) in rows? {
         table.push([name], numbers);
         table.about(family, posture);

@@ -8,12 +8,12 @@
 
 use super::{Group, Subject, quantile};
 use crate::StudyError;
+use crate::precision::{cholesky, error, ltl, numbers, unless_singular};
 use crate::simulate::{Algorithm, DORMAND_PRINCE, Forces, Method, RK4, Simulation, SimulationError, Steps};
 use eigenbody::dynamics::{Denoc, Udu, bias_force, energy, forward_dynamics};
-use eigenbody::factor::{Cholesky, Ltl};
 use eigenbody::model::Random;
-use eigenbody::scalar::{Dd, Real, Scalar};
-use eigenbody::{Error, Family, Model, Question, conditioning_at, inverse_dynamics, mass_matrix};
+use eigenbody::scalar::{Dd, Real};
+use eigenbody::{Family, Model, Question, conditioning_at, inverse_dynamics, mass_matrix};
 
 /// Ways of solving, in the order of [`Digits::errors`].
 pub const WAYS: [&str; 4] = ["CRBA, LTL", "CRBA, Cholesky", "ABA", "DeNOC, UDUᵀ"];
@@ -108,8 +108,8 @@ pub fn digits(subject: &Subject) -> Result<Vec<Digits>, StudyError> {
         let own: Vec<f64> = (0..H.rows()).map(|d| H[(d, d)]).collect();
         let mut errors = [[[f64::INFINITY; 2]; 2]; 4];
         for (way, errors) in errors.iter_mut().enumerate() {
-            errors[0] = error(solve(way, &single, &q, &v, &tau)?, &exact, &own);
-            errors[1] = error(solve(way, model, &q, &v, &tau)?, &exact, &own);
+            errors[0] = in_both_norms(solve(way, &single, &q, &v, &tau)?, &exact, &own);
+            errors[1] = in_both_norms(solve(way, model, &q, &v, &tau)?, &exact, &own);
         }
         found.push(Digits { name: name.clone(), group: *group, kappa, kappa_weighted, errors });
     }
@@ -122,10 +122,6 @@ fn conditions(model: &Model<f64>, q: &[f64]) -> Result<Option<(f64, f64)>, Study
     Ok(found.kappa.zip(found.kappa_weighted))
 }
 
-fn numbers<T: Real>(x: &[f64]) -> Vec<T> {
-    x.iter().map(|&x| T::from_f64(x)).collect()
-}
-
 /// v̇ by one of the ways; none where a pivot is not positive.
 fn solve<T: Real>(
     way: usize,
@@ -135,24 +131,15 @@ fn solve<T: Real>(
     tau: &[f64],
 ) -> Result<Option<Vec<T>>, StudyError> {
     let (q, v, tau): (Vec<T>, Vec<T>, Vec<T>) = (numbers(q), numbers(v), numbers(tau));
-    let outcome = (|| -> Result<Vec<T>, Error> {
+    unless_singular((|| {
         if way == 2 {
             return forward_dynamics(model, &q, &v, &tau);
         }
         let mut x = bias_force(model, &q, &v)?;
         x.iter_mut().zip(&tau).for_each(|(x, &tau)| *x = tau - *x);
         match way {
-            0 => {
-                let mut factors = Ltl::new(model.dofs());
-                factors.factor(&mass_matrix(model, &q)?)?;
-                factors.solve(&mut x)?;
-            }
-            1 => {
-                let H = mass_matrix(model, &q)?;
-                let mut factors = Cholesky::new(H.rows());
-                factors.factor(&H)?;
-                factors.solve(&mut x)?;
-            }
+            0 => ltl(model, &mass_matrix(model, &q)?, &mut x)?,
+            1 => cholesky(&mass_matrix(model, &q)?, &mut x)?,
             _ => {
                 let mut denoc = Denoc::new(model);
                 denoc.update(&q)?;
@@ -162,27 +149,13 @@ fn solve<T: Real>(
             }
         }
         Ok(x)
-    })();
-    match outcome {
-        Ok(x) => Ok(Some(x)),
-        Err(Error::NotPositiveDefinite(_)) => Ok(None),
-        Err(error) => Err(error.into()),
-    }
+    })())
 }
 
 /// In both norms, over ε.
-fn error<T: Real>(x: Option<Vec<T>>, exact: &[Dd], own: &[f64]) -> [f64; 2] {
+fn in_both_norms<T: Real>(x: Option<Vec<T>>, exact: &[Dd], own: &[f64]) -> [f64; 2] {
     let Some(x) = x else { return [f64::INFINITY; 2] };
-    [0, 1].map(|power| {
-        let (mut off, mut size) = (0.0, 0.0);
-        for ((x, exact), h) in x.iter().zip(exact).zip(own) {
-            let weight = h.powi(power);
-            off += weight * (Dd::from_f64(x.to_f64()) - *exact).to_f64().powi(2);
-            size += weight * exact.to_f64().powi(2);
-        }
-        let error = (off / size).sqrt() / T::EPSILON;
-        if error.is_nan() { f64::INFINITY } else { error }
-    })
+    [0, 1].map(|power| error(&x, exact, own.iter().map(|h| h.powi(power))))
 }
 
 /// A second of motion from a random configuration, joints at random velocities of up to 2 rad/s or m/s, a floating base at rest.

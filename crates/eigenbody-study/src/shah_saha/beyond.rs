@@ -5,7 +5,7 @@ use super::swing::{apart, matrices, scaled};
 use crate::estimators::{Estimates, estimates, median};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::family::puma560;
 use eigenbody::{Family, Model, mass_matrix};
 use rayon::prelude::*;
@@ -24,7 +24,7 @@ pub fn wide_swing(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         ("upper", "1"),
         ("pivot_ratio", "1"),
     ];
-    let mut table = Table::new(&[], &numbers);
+    let mut table = Rows::new(&[], &numbers);
     // A family's gravity is along −y, its links along x.
     let chain = lab.robots.model(&Family::slender_chain(4, MASS_KG, 1.0)?)?;
     let motion: Result<Vec<_>, StudyError> =
@@ -76,7 +76,7 @@ pub fn robots(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         ("upper", "1"),
         ("pivot_ratio", "1"),
     ];
-    let mut table = Table::new(&[("robot", "")], &numbers);
+    let mut table = Rows::new(&[("robot", "")], &numbers);
     let count = if lab.quick { 40 } else { 120 };
     let (mut words, mut outside) = (Vec::new(), 0);
     for (name, model) in members {

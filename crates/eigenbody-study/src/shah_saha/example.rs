@@ -3,7 +3,7 @@
 use crate::claim::{Check, Reading};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::dynamics::{Denoc, Udu, gravity_force};
 use eigenbody::spatial::Vec3;
 use eigenbody::{Family, Model, Posture, forward_dynamics, mass_matrix};
@@ -28,7 +28,7 @@ pub(super) fn hanging(lab: &Lab<'_>, n: usize) -> Result<Model<f64>, StudyError>
 /// [`StudyError`], as every experiment.
 pub fn fig1(_: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("link", "1"), ("x0", "m"), ("y0", "m"), ("x1", "m"), ("y1", "m")];
-    let mut table = Table::new(&[("panel", ""), ("robot", "")], &numbers);
+    let mut table = Rows::new(&[("panel", ""), ("robot", "")], &numbers);
     let (s, c) = START_DEG.to_radians().sin_cos();
     for i in 0..4 {
         let at = |k: usize| (k as f64 * LENGTH_M * s, -(k as f64) * LENGTH_M * c);
@@ -63,7 +63,7 @@ pub fn eq7(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         ("phi_rounded", "N m"),
         ("vdot_rounded", "rad/s^2"),
     ];
-    let mut table = Table::new(&[], &numbers);
+    let mut table = Rows::new(&[], &numbers);
     for i in 0..4 {
         let row = H.row(i);
         let cells = [row[0], row[1], row[2], row[3], phi[i], exact[i], rounded[i], vdot[i]];
@@ -95,7 +95,7 @@ pub fn eq7(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn eq11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("N", "1"), ("entries_apart", "1"), ("reconstruction_apart", "1"), ("solve_apart", "1")];
-    let mut table = Table::new(&[("robot", "")], &numbers);
+    let mut table = Rows::new(&[("robot", "")], &numbers);
     let (mut entries, mut solves) = (0.0f64, 0.0f64);
     for n in [1, 2, 4, 10, 20, 50, 100] {
         let robots = [

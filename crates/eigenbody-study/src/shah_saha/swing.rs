@@ -6,7 +6,7 @@ use crate::estimators::{Estimates, correlation, estimates, median};
 use crate::experiment::Outcome;
 use crate::lab::{Lab, StudyError};
 use crate::simulate::{DORMAND_PRINCE, Method, Schedule, State, Steps, simulate};
-use crate::table::Table;
+use crate::table::Rows;
 use eigenbody::spectrum::eigenvalues;
 use eigenbody::{Matrix, Model, mass_matrix};
 use rayon::prelude::*;
@@ -74,7 +74,7 @@ pub fn fig2(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
         ("kappa", "1"),
         ("delta", "1"),
     ];
-    let mut table = Table::new(&[], &numbers);
+    let mut table = Rows::new(&[], &numbers);
     let mut motion = Vec::new();
     let (mut first, mut largest, mut is_ordered) = (Vec::new(), Vec::new(), true);
     for (t, H) in matrices(&hanging(lab, 4)?, lab)? {
@@ -123,7 +123,7 @@ pub fn fig2(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 ///
 /// [`StudyError`], as every experiment.
 pub fn fig3(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
-    let mut table = Table::new(&[("curve", "")], &[("n", "1"), ("t", "s"), ("kappa", "1"), ("delta", "1")]);
+    let mut table = Rows::new(&[("curve", "")], &[("n", "1"), ("t", "s"), ("kappa", "1"), ("delta", "1")]);
     let mut shape = Vec::new();
     for (n, motion) in lengths(lab, [10, 20])? {
         for (t, found) in &motion {
@@ -149,7 +149,7 @@ pub fn fig3(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn fig4(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let mut table =
-        Table::new(&[("curve", "")], &[("n", "1"), ("t", "s"), ("pivot_ratio", "1"), ("kappa", "1")]);
+        Rows::new(&[("curve", "")], &[("n", "1"), ("t", "s"), ("pivot_ratio", "1"), ("kappa", "1")]);
     let mut shape = Vec::new();
     for (n, motion) in lengths(lab, [10, 20])? {
         for (t, found) in &motion {
@@ -180,7 +180,7 @@ pub fn fig4(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
 /// [`StudyError`], as every experiment.
 pub fn fig5(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let numbers = [("n", "1"), ("t", "s"), ("kappa", "1"), ("delta_scaled", "1")];
-    let mut table = Table::new(&[("curve", "")], &numbers);
+    let mut table = Rows::new(&[("curve", "")], &numbers);
     let mut shape = Vec::new();
     let mut words = Vec::new();
     for (n, motion) in lengths(lab, [4, 10, 20])? {

@@ -33,13 +33,13 @@ pub(super) struct Midpoint {
     rnea: RneaWorkspace<f64>,
     gradient: GradientWorkspace<f64>,
     rest: Vec<f64>,
-    /// p₀ and p₁; p₁ is that of the step taken last, if there is one.
+    /// p₀, known from the step before, if there is one; and p₁.
     p0: Vec<f64>,
     p1: Vec<f64>,
-    has_p1: bool,
-    /// ξ, and that of the step before.
+    /// ξ, and those of the two steps before, the later one first.
     xi: Vec<f64>,
-    before: Vec<f64>,
+    before: [Vec<f64>; 2],
+    /// Steps that were accepted.
     steps: usize,
     g: Vec<f64>,
     weight: Vec<f64>,
@@ -61,9 +61,8 @@ impl Midpoint {
             rest: zeros.clone(),
             p0: zeros.clone(),
             p1: zeros.clone(),
-            has_p1: false,
             xi: zeros.clone(),
-            before: zeros.clone(),
+            before: [zeros.clone(), zeros.clone()],
             steps: 0,
             g: zeros.clone(),
             weight: zeros.clone(),
@@ -74,6 +73,7 @@ impl Midpoint {
         }
     }
 
+    /// A step of h from (q₀, v₀); it counts once it is [accepted](Self::accept), and leaves nothing behind if it is not.
     pub fn attempt(
         &mut self,
         flow: &mut Flow<'_>,
@@ -83,17 +83,14 @@ impl Midpoint {
     ) -> Result<(), SimulationError> {
         let model = flow.model;
         let failed = |source: Error| SimulationError::dynamics(model, t, source);
-        if self.has_p1 {
-            std::mem::swap(&mut self.p0, &mut self.p1);
-        } else {
+        if self.steps == 0 {
             inverse_dynamics_into(&self.weightless, q0, &self.rest, v0, &mut self.rnea, &mut self.p0)
                 .map_err(|source| failed(source.into()))?;
         }
         // ξ starts from where the last two lead.
+        let [one, two] = &self.before;
         for (d, v0) in v0.iter().enumerate() {
-            let ahead = if self.steps > 1 { 2.0 * self.xi[d] - self.before[d] } else { *v0 };
-            self.before[d] = self.xi[d];
-            self.xi[d] = ahead;
+            self.xi[d] = if self.steps > 1 { 2.0 * one[d] - two[d] } else { *v0 };
         }
         let mut last = f64::INFINITY;
         for round in 0.. {
@@ -114,9 +111,15 @@ impl Midpoint {
             last = size;
         }
         self.finish(model, q0, h).map_err(failed)?;
-        self.has_p1 = true;
-        self.steps += 1;
         flow.check(t + h, &self.v1, h)
+    }
+
+    /// The next step begins where this one ends.
+    pub fn accept(&mut self) {
+        std::mem::swap(&mut self.p0, &mut self.p1);
+        self.before.swap(0, 1);
+        self.before[0].copy_from_slice(&self.xi);
+        self.steps += 1;
     }
 
     /// g and the next ξ, into `part`; the momentum H ξ is left in `sum`.

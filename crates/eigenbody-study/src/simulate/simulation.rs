@@ -188,6 +188,7 @@ impl<'m> Simulation<'m> {
             Stepper::Midpoint(midpoint) => {
                 now.v.copy_from_slice(&midpoint.v1);
                 theta.iter_mut().zip(midpoint.xi()).for_each(|(theta, xi)| *theta = h * xi);
+                midpoint.accept();
             }
         }
         flow.model.integrate_into(&start.q, theta, &mut now.q);

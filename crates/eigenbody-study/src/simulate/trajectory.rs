@@ -1,6 +1,9 @@
 //! Numbers over time, from a table.
 
 use eigenbody::{InputError, Model};
+use eigenbody_formats::motion::Wanted;
+use eigenbody_formats::{Motion, MotionError, MotionOptions};
+use std::path::Path;
 
 /// Rows at ascending times; held at both ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +40,28 @@ impl Trajectory {
             return Err(InputError::NotPositive { what: "step of the trajectory's time", index, value });
         }
         Ok(Self { times, rows })
+    }
+
+    /// The configurations, or the forces, of a table in a file; mimic joints need no column if they follow.
+    ///
+    /// Errors: [`MotionError`] if it cannot be read, does not fit the model or has no rows.
+    pub fn read(file: &Path, model: &Model<f64>, mimic: bool, wanted: Wanted) -> Result<Self, MotionError> {
+        let mut table =
+            Motion::open(file, model, MotionOptions { mimic, wanted, ..MotionOptions::default() })?;
+        let (mut times, mut rows) = (Vec::new(), Vec::new());
+        while let Some(row) = table.next_row()? {
+            times.push(row.t);
+            rows.push(row.q);
+        }
+        let width = match wanted {
+            Wanted::Configurations => model.nq(),
+            Wanted::Forces => model.nv(),
+        };
+        let failed = |error: InputError| MotionError::Heading {
+            file: file.display().to_string(),
+            problem: error.to_string(),
+        };
+        Self::new(times, rows, width).map_err(failed)
     }
 
     /// Where in the table t is: the row before, the part of the way to the next one, and that way's duration.

@@ -4,12 +4,12 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use eigenbody::model::Random;
-use eigenbody::{Base, Error, Metric, Model, Question, Reduction, conditioning_at};
+use eigenbody::{Base, Error, Metric, Question, Reduction, conditioning_at};
 use eigenbody_formats::{FormatError, LoadOptions, Loaded, load_from};
 use thiserror::Error;
 
-use super::Quantity;
 use super::spec::{Axis, Group, Robots, Spec};
+use super::{Quantity, fingerprint};
 use crate::{Cell, Field};
 
 /// What a chunk is meant to cost: n² for H and its extremes, and so much for each case, in units of some ten nanoseconds.
@@ -115,19 +115,6 @@ fn mix(seed: u64, key: u64) -> u64 {
     Random::new(seed ^ Random::new(key).bits()).bits()
 }
 
-/// The hash of Fowler, Noll and Vo.
-fn fnv(bytes: &[u8]) -> u64 {
-    bytes
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
-}
-
-/// Of all that dynamics depends on: bodies, joints, limits, armature, gravity.
-fn hash(model: &Model<f64>) -> u64 {
-    let text = format!("{:?}{:?}{:?}{:?}", model.bodies(), model.joints(), model.armature(), model.gravity());
-    fnv(text.as_bytes())
-}
-
 impl Plan {
     /// Numbers the cases of a spec whose paths are seen from `folder`, the spec's own; empty for the current one. Rows do not depend on
     /// where that is.
@@ -155,7 +142,7 @@ impl Plan {
                 let case = plan.case(plan.starts[group] + robot * step);
                 let loaded = plan.load(&case)?;
                 if is_named {
-                    plan.models.push((case.model.clone(), hash(&loaded.model)));
+                    plan.models.push((case.model.clone(), fingerprint::of_robot(&loaded)));
                 }
                 let n = loaded.model.nv() as f64;
                 dearest = dearest.max(if n <= 200.0 { n * n } else { 200.0 * n });
@@ -180,8 +167,7 @@ impl Plan {
 
     /// 64 bits, as hexadecimals, of everything that a row depends on: the spec, the robots named in it, the version.
     pub fn fingerprint(&self, version: &str) -> String {
-        let text = format!("{version}\n{:?}\n{}", self.spec, self.models_text());
-        format!("{:016x}", fnv(text.as_bytes()))
+        format!("{:016x}", fingerprint::of_plan(version, &self.spec, &self.models))
     }
 
     /// `name hash` for every file that a group names, one a line.

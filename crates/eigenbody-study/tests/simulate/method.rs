@@ -102,6 +102,43 @@ fn steps_that_are_too_long_are_refused() {
     assert_eq!(effort.evaluations, 6 * (effort.steps + effort.refused) + 1);
 }
 
+/// A step that failed leaves nothing behind. The implicit midpoint rule went on from the momentum of the step before the last one, and
+/// from the ξ at which it had given up.
+#[test]
+fn after_a_step_that_failed_a_shorter_one_goes_on() {
+    let model = chain(2);
+    let blow =
+        Trajectory::new(vec![0.0, 0.3, 0.4], vec![vec![0.0; 2], vec![0.0; 2], vec![0.0, 1e9]], 2).unwrap();
+    for method in [Method::ImplicitMidpoint, Method::RungeKutta(RK4), Method::RungeKutta(DORMAND_PRINCE)] {
+        let after = |failures: usize| {
+            let forces = Forces { torque: Some(blow.clone()), ..Forces::default() };
+            let mut simulation = Simulation::new(
+                &model,
+                &[-1.0, 0.5],
+                &[1.0, -2.0],
+                method,
+                Steps::Fixed(0.1),
+                forces,
+                Algorithm::Aba,
+            )
+            .unwrap();
+            (0..3).for_each(|_| simulation.step(0.3).unwrap());
+            let before = simulation.state().clone();
+            for _ in 0..failures {
+                assert!(simulation.step(1.0).unwrap_err().is_along_the_way());
+                assert_eq!(simulation.state(), &before);
+            }
+            (1..3).for_each(|k| simulation.step(0.3 + f64::from(k) * 1e-6).unwrap());
+            simulation.state().clone()
+        };
+        // The same numbers go through the same operations: to the last bit.
+        let expected = after(0);
+        for failures in [1, 2] {
+            assert_eq!(after(failures), expected, "{}, {failures} failures", method.name());
+        }
+    }
+}
+
 #[test]
 fn samples_stand_where_they_should() {
     for steps in [Steps::Fixed(0.03), Steps::Fixed(0.7), Steps::Adaptive(1e-6)] {

@@ -127,12 +127,14 @@ pub(super) fn resolve<T: Real>(
     let mut leader: Vec<Option<(usize, T, T)>> = vec![None; joints.len()];
     let ids: HashMap<usize, JointId> = mimics.iter().map(|&(id, _, j)| (j, id)).collect();
     for (joint, mimic, j) in mimics {
-        match by_name.get(mimic.joint.as_str()) {
-            Some(&of) if joints[of].kind.nq() == 1 => leader[j] = Some((of, mimic.multiplier, mimic.offset)),
-            _ => findings.push(Finding::MimicUnknown {
+        let of = by_name.get(mimic.joint.as_str()).copied();
+        match (of, of.map_or(0, |of| joints[of].kind.nq())) {
+            (Some(of), 1) => leader[j] = Some((of, mimic.multiplier, mimic.offset)),
+            (_, coordinates) => findings.push(Finding::MimicUnknown {
                 joint,
                 name: joints[j].name.to_string(),
                 follows: mimic.joint,
+                coordinates,
             }),
         }
     }

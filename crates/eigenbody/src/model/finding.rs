@@ -59,7 +59,7 @@ pub enum Finding {
         /// The right link's name.
         twin: String,
     },
-    /// A mimic joint follows a joint that is not there or does not move: it is left free.
+    /// A mimic joint follows a joint that is not there, does not move or has several coordinates: it is left free.
     MimicUnknown {
         /// The mimic joint.
         joint: JointId,
@@ -67,6 +67,8 @@ pub enum Finding {
         name: String,
         /// The name that it follows.
         follows: String,
+        /// Number of coordinates of that joint; zero if no moving joint has the name.
+        coordinates: usize,
     },
 }
 
@@ -140,10 +142,16 @@ impl fmt::Display for Finding {
                 write!(f, "links '{name}' and '{twin}' have different masses or moments of inertia")
             }
             Self::ZeroMass { name, .. } => write!(f, "moving link '{name}' has no mass"),
-            Self::MimicUnknown { name, follows, .. } => {
+            Self::MimicUnknown { name, follows, coordinates: 0, .. } => {
                 write!(
                     f,
                     "mimic joint '{name}' follows '{follows}', which is no moving joint; it is left free"
+                )
+            }
+            Self::MimicUnknown { name, follows, coordinates, .. } => {
+                write!(
+                    f,
+                    "mimic joint '{name}' follows '{follows}', which has {coordinates} coordinates; it is left free"
                 )
             }
         }

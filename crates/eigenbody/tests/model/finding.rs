@@ -71,18 +71,28 @@ fn massless_bodies() {
     assert_eq!(messages(&robot.build(Base::Fixed).unwrap()), Vec::<String>::new());
 }
 
+/// A mimic joint that cannot follow is found and left free. Of a cylindrical joint it was said that it does not move.
 #[test]
-fn mimic_of_nothing() {
-    let mut robot = ModelBuilder::<f64>::new("test");
-    let base = robot.link("base", RigidInertia::ZERO);
-    let tip = robot.link("tip", box_of(1.0, 0.1, 0.1, 0.1));
-    let mimic = Some(MimicSpec { joint: "thumb".into(), multiplier: 1.0, offset: 0.0 });
-    let joint = robot.joint(JointSpec { mimic, ..JointSpec::new("finger", Joint::Revolute, base, tip) });
-    let model = robot.build(Base::Fixed).unwrap();
-    let message = "mimic joint 'finger' follows 'thumb', which is no moving joint; it is left free";
-    assert_eq!(messages(&model), [message]);
-    assert_eq!(model.findings()[0].place(), Place::Joint(joint));
-    assert!(model.coupling().is_none());
+fn mimic_of_what_cannot_be_followed() {
+    for (kind, follows, message) in [
+        (Joint::Revolute, "thumb", "which is no moving joint"),
+        (Joint::Fixed, "palm", "which is no moving joint"),
+        (Joint::Cylindrical, "palm", "which has 2 coordinates"),
+        (Joint::Spherical, "palm", "which has 4 coordinates"),
+    ] {
+        let mut robot = ModelBuilder::<f64>::new("test");
+        let base = robot.link("base", RigidInertia::ZERO);
+        let hand = robot.link("hand", box_of(1.0, 0.1, 0.1, 0.1));
+        let tip = robot.link("tip", box_of(1.0, 0.1, 0.1, 0.1));
+        robot.joint(JointSpec::new("palm", kind, base, hand));
+        let mimic = Some(MimicSpec { joint: follows.into(), multiplier: 1.0, offset: 0.0 });
+        let joint = robot.joint(JointSpec { mimic, ..JointSpec::new("finger", Joint::Revolute, hand, tip) });
+        let model = robot.build(Base::Fixed).unwrap();
+        let message = format!("mimic joint 'finger' follows '{follows}', {message}; it is left free");
+        assert_eq!(messages(&model), [message]);
+        assert_eq!(model.findings()[0].place(), Place::Joint(joint));
+        assert!(model.coupling().is_none());
+    }
 }
 
 /// A chain of balls of this mass and radius of gyration.

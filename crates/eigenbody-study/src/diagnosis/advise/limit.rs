@@ -48,19 +48,18 @@ pub(super) fn limits(
         let limits = joint.limits().filter(|(l, u)| l.is_finite() && u.is_finite() && u > l);
         let turns = limits.is_none() && !model.is_translation(joint.dofs().start);
         let q = at[joint.coordinates().start];
-        let cuts: Vec<Kept> = match (limits, turns) {
+        let losses: Vec<Loss> = match (limits, turns) {
             (Some((l, u)), _) => {
                 let place = ((q - l) / (u - l)).clamp(0.0, 1.0);
                 // What is nearer to the worst is given away.
-                let above = Kept { range: (l, u), from: place, towards: 1.0 };
-                let below = Kept { range: (l, u), from: place, towards: 0.0 };
-                vec![above, below]
+                let range = (l, u);
+                vec![Loss::Below { range, place }, Loss::Above { range, place }]
             }
-            (None, true) => vec![Kept { range: (q - PI, q + PI), from: 0.5, towards: 0.5 }],
+            (None, true) => vec![Loss::About { q }],
             (None, false) => Vec::new(),
         };
-        for kept in cuts {
-            found.extend(least_loss(model, judge, index, kept)?);
+        for loss in losses {
+            found.extend(least_loss(model, judge, index, loss)?);
         }
     }
     found.sort_by(|a, b| a.lost.total_cmp(&b.lost));
@@ -96,33 +95,43 @@ fn between(model: &Model<f64>, judge: &Judge<'_>, soft: &[f64]) -> Vec<usize> {
     path
 }
 
-/// A range from which a part about or beside a place is taken away.
+/// Which part of a joint's range is lost; `place`: where the worst configuration is in the range, from 0 to 1.
 #[derive(Clone, Copy)]
-struct Kept {
-    range: (f64, f64),
-    from: f64,
-    /// 1: what is above stays; 0: what is below; in the middle: all but the neighbourhood, of a joint that turns.
-    towards: f64,
+enum Loss {
+    /// What is below.
+    Below { range: (f64, f64), place: f64 },
+    /// What is above.
+    Above { range: (f64, f64), place: f64 },
+    /// The neighbourhood of q, of a joint that turns freely.
+    About { q: f64 },
 }
 
-impl Kept {
+impl Loss {
+    /// What the joint may do now.
+    fn range(self) -> (f64, f64) {
+        match self {
+            Self::Below { range, .. } | Self::Above { range, .. } => range,
+            Self::About { q } => (q - PI, q + PI),
+        }
+    }
+
     /// What stays when a part of the range is lost.
-    fn after(&self, lost: f64) -> (f64, f64) {
-        let (l, u) = self.range;
-        match self.towards {
-            t if t > 0.9 => (l + lost * (u - l), u),
-            t if t < 0.1 => (l, u - lost * (u - l)),
+    fn kept(self, lost: f64) -> (f64, f64) {
+        let (l, u) = self.range();
+        match self {
+            Self::Below { .. } => (l + lost * (u - l), u),
+            Self::Above { .. } => (l, u - lost * (u - l)),
             // From beyond the worst, once around.
-            _ => (l + PI + 0.5 * lost * TAU, l + PI + TAU - 0.5 * lost * TAU),
+            Self::About { .. } => (l + PI + 0.5 * lost * TAU, l + PI + TAU - 0.5 * lost * TAU),
         }
     }
 
     /// The loss at which the worst configuration is just given away.
-    fn least(&self) -> f64 {
-        match self.towards {
-            t if t > 0.9 => self.from,
-            t if t < 0.1 => 1.0 - self.from,
-            _ => 0.0,
+    fn least(self) -> f64 {
+        match self {
+            Self::Below { place, .. } => place,
+            Self::Above { place, .. } => 1.0 - place,
+            Self::About { .. } => 0.0,
         }
     }
 }
@@ -131,20 +140,20 @@ fn least_loss(
     model: &Model<f64>,
     judge: &Judge<'_>,
     index: usize,
-    kept: Kept,
+    loss: Loss,
 ) -> Result<Option<LimitAdvice>, StudyError> {
-    if kept.least() >= MOST {
+    if loss.least() >= MOST {
         return Ok(None);
     }
     let reached = |lost: f64| -> Result<f64, StudyError> {
-        let limited = model.clone().with_limits(index, Some(kept.after(lost)))?;
+        let limited = model.clone().with_limits(index, Some(loss.kept(lost)))?;
         Ok(judge.worst(&limited, 0)?.1)
     };
     let mut best = (MOST, reached(MOST)?);
     if !judge.wish.goal.holds(best.1) {
         return Ok(None);
     }
-    let mut low = kept.least();
+    let mut low = loss.least();
     for _ in 0..ROUNDS {
         let middle = 0.5 * (low + best.0);
         let value = reached(middle)?;
@@ -152,5 +161,5 @@ fn least_loss(
     }
     let (lost, reached) = best;
     let joint = model.joints()[index].name().to_owned();
-    Ok(Some(LimitAdvice { joint, index, range: kept.range, kept: kept.after(lost), lost, reached }))
+    Ok(Some(LimitAdvice { joint, index, range: loss.range(), kept: loss.kept(lost), lost, reached }))
 }

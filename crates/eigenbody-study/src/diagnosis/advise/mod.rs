@@ -154,7 +154,8 @@ impl Remedies {
 /// ```
 pub fn least_armature(model: &Model<f64>, wish: &Wish<'_>) -> Result<Option<Advice>, StudyError> {
     let judge = Judge::new(model, wish);
-    let Some(found) = least(model, &judge, &Remedy::armature(model, &judge)?)? else { return Ok(None) };
+    let remedy = Remedy::armature(model, &judge)?;
+    let Some(found) = least(model, &judge, &remedy)? else { return Ok(None) };
     let rows = wish.reduction.dofs(model);
     let bare = rows.iter().any(|&d| model.armature()[d] > 0.0);
     let needed = match bare {
@@ -164,7 +165,6 @@ pub fn least_armature(model: &Model<f64>, wish: &Wish<'_>) -> Result<Option<Advi
         }
         false => None,
     };
-    let remedy = Remedy::armature(model, &judge)?;
     let size: Vec<f64> = remedy.costs().iter().map(|cost| 1.0 / cost).collect();
     let entry = |k: usize| Added {
         joint: model.dof_name(rows[k]),
