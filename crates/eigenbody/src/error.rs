@@ -33,6 +33,12 @@ pub enum InputError {
         /// Norm of the four numbers.
         norm: f64,
     },
+    /// An orientation whose E Eᵀ is not 1 to within 1e-6, or a reflection.
+    #[error("an anchor of closure '{closure}' has an orientation that is no rotation")]
+    NotARotation {
+        /// Name of the closure whose anchor it is.
+        closure: String,
+    },
     /// A weight that must be positive and is not.
     #[error("{what}[{index}] = {value}, expected a positive number")]
     NotPositive {

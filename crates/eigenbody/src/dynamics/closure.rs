@@ -10,7 +10,7 @@
 use super::kinematics::{axes, link_pose};
 use crate::error::InputError;
 use crate::matrix::Matrix;
-use crate::model::Model;
+use crate::model::{Model, ROTATION_TOLERANCE, check};
 use crate::spatial::{Mat3, Motion, Transform, Vec3};
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 pub struct Anchor {
     /// Index into [`Model::links`]; none for the world.
     pub link: Option<usize>,
-    /// From the link's frame, or the world's, to this one.
+    /// From the link's frame, or the world's, to this one; E Eᵀ is 1 to within 1e-6.
     pub pose: Transform<f64>,
 }
 
@@ -66,12 +66,23 @@ impl Closure {
     }
 
     fn place(&self, model: &Model<f64>, q: &[f64]) -> Result<Place, InputError> {
+        self.check()?;
         let pose = |anchor: &Anchor| match anchor.link {
             Some(link) => Ok(anchor.pose * link_pose(model, q, link)?),
             None => Ok::<_, InputError>(anchor.pose),
         };
         let [a, b] = [pose(&self.anchors[0])?, pose(&self.anchors[1])?];
         Ok(Place { E: a.E, origin: b.r, shift: a.E * (b.r - a.r), R: a.E * b.E.transpose() })
+    }
+
+    fn check(&self) -> Result<(), InputError> {
+        for Anchor { pose, .. } in &self.anchors {
+            if !pose.E.is_rotation(ROTATION_TOLERANCE) {
+                return Err(InputError::NotARotation { closure: self.name.clone() });
+            }
+            check("origin of an anchor", &pose.r.to_array(), 3)?;
+        }
+        Ok(())
     }
 
     /// Directions in the first frame along which nothing slides, and about which nothing turns.
@@ -155,7 +166,7 @@ fn rotation_vector(R: &Mat3<f64>) -> Vec3<f64> {
 /// | `q` | `nq` | rad, m, unit quaternion |
 /// | returned | the rows of every closure in turn, slides before turns | m, rad |
 ///
-/// Cost O(depth) a closure. Errors: [`InputError`] if q does not fit the model.
+/// Cost O(depth) a closure. Errors: [`InputError`] if q or a closure does not fit the model, or an anchor's pose is none.
 pub fn closure_residual(model: &Model<f64>, q: &[f64], closures: &[Closure]) -> Result<Vec<f64>, InputError> {
     let mut rows = Vec::new();
     for closure in closures {
@@ -176,7 +187,7 @@ pub fn closure_residual(model: &Model<f64>, q: &[f64], closures: &[Closure]) -> 
 ///
 /// Method: columns of S in the world's axes, of the joints that move one link and not the other. Cost O(N + rows · depth).
 ///
-/// Errors: [`InputError`] if q does not fit the model.
+/// Errors: [`InputError`] if q or a closure does not fit the model, or an anchor's pose is none.
 ///
 /// ```
 /// use eigenbody::dynamics::{Anchor, Closure, Tie, closure_jacobian};

@@ -4,7 +4,7 @@ use super::body::{Body, JointInfo, LinkInfo, WORLD};
 use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
 use super::error::BuildError;
 use super::topology::{Node, pre_order};
-use super::{Deferred, DofTree, MAX_BODIES, Model, canonical, coupling, finding};
+use super::{Deferred, DofTree, MAX_BODIES, Model, ROTATION_TOLERANCE, canonical, coupling, finding};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, RigidInertia, Transform, Vec3};
@@ -109,6 +109,9 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
     finite(&spec.placement.r.to_array(), "origin")?;
     let E = spec.placement.E;
     finite([E.x, E.y, E.z].map(Vec3::to_array).as_flattened(), "orientation")?;
+    if !E.is_rotation(ROTATION_TOLERANCE) {
+        return Err(BuildError::NotARotation { joint, name: name() });
+    }
     finite(&spec.armature, "armature")?;
     if let Joint::Helical { pitch } = spec.kind {
         finite(&[pitch], "pitch")?;

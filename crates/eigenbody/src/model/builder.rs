@@ -59,7 +59,7 @@ pub struct JointSpec<T> {
     pub parent: LinkId,
     /// The link that it carries; the link's frame is the joint's frame.
     pub child: LinkId,
-    /// From the parent link's frame to the joint's frame.
+    /// From the parent link's frame to the joint's frame; E Eᵀ is 1 to within 1e-6.
     pub placement: Transform<T>,
     /// Axis in the joint's frame, any length but zero; unused by fixed, spherical and floating joints.
     pub axis: Vec3<T>,

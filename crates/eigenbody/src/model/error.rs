@@ -40,6 +40,8 @@ pub enum BuildError {
     NegativeMass { link: LinkId, name: String, mass: f64 },
     #[error("{what} of joint '{name}' is not a finite number")]
     JointNotFinite { joint: JointId, name: String, what: &'static str },
+    #[error("joint '{name}' has an orientation that is no rotation")]
+    NotARotation { joint: JointId, name: String },
     #[error("joint '{name}' has axis 0 0 0, expected a direction")]
     ZeroAxis { joint: JointId, name: String },
     #[error(
@@ -69,6 +71,7 @@ impl BuildError {
             | Self::TwoParents { second: joint, .. }
             | Self::Loop { joint, .. }
             | Self::JointNotFinite { joint, .. }
+            | Self::NotARotation { joint, .. }
             | Self::ZeroAxis { joint, .. }
             | Self::ArmatureLength { joint, .. }
             | Self::NegativeArmature { joint, .. }

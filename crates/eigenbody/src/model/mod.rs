@@ -18,7 +18,7 @@ mod topology;
 
 pub use body::{Body, JointInfo, LinkInfo};
 pub use builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
-pub(crate) use configuration::{QUATERNION_TOLERANCE, check};
+pub(crate) use configuration::{QUATERNION_TOLERANCE, ROTATION_TOLERANCE, check};
 pub use coupling::Coupling;
 pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};

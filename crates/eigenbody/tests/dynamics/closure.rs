@@ -6,7 +6,7 @@ use eigenbody::dynamics::{Anchor, Closure, Tie, closure_jacobian, closure_residu
 use eigenbody::model::Random;
 use eigenbody::spatial::{Mat3, Transform, Vec3};
 use eigenbody::spectrum::null_space;
-use eigenbody::{Base, Error, Family, Matrix, Metric, Model, Question, Reduction, mass_matrix};
+use eigenbody::{Base, Error, Family, InputError, Matrix, Metric, Model, Question, Reduction, mass_matrix};
 
 /// A chain whose last link is pinned to a point of the world.
 fn pinned(links: usize, at: Vec3<f64>, tie: Tie) -> (Model<f64>, Closure) {
@@ -178,4 +178,21 @@ fn loops_out_of_reach_are_an_error() {
         matches!(&error, Error::Open { closure, after, .. } if closure == "tip" && *after > 0.4),
         "{error}"
     );
+}
+
+#[test]
+fn anchors_are_frames() {
+    for E in [Mat3::IDENTITY * 2.0, Mat3::from_rows(Vec3::X, Vec3::Y, -Vec3::Z), Mat3::IDENTITY * f64::NAN] {
+        for k in 0..2 {
+            let (model, mut tip) = pinned(2, Vec3::X, Tie::Weld);
+            tip.anchors[k].pose.E = E;
+            let refused = InputError::NotARotation { closure: "tip".into() };
+            let closures = [tip];
+            assert_eq!(closure_residual(&model, &[0.1, 0.2], &closures), Err(refused.clone()));
+            assert_eq!(closure_jacobian(&model, &[0.1, 0.2], &closures), Err(refused));
+        }
+    }
+    let (model, tip) = pinned(2, Vec3::new(0.0, f64::NAN, 0.0), Tie::Ball);
+    let refused = InputError::NotFinite { what: "origin of an anchor", index: 1 };
+    assert_eq!(closure_residual(&model, &[0.1, 0.2], &[tip]), Err(refused));
 }

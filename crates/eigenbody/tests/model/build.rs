@@ -224,3 +224,17 @@ fn description_can_be_read_back() {
     assert_eq!(links, [("a", None), ("b", Some(0)), ("c", Some(1))]);
     assert_eq!(model.bodies()[1].parent(), Some(0));
 }
+
+/// Twice a rotation would give numbers of a robot twice as large, and no error.
+#[test]
+fn orientations_are_rotations() {
+    let message = "joint 'j2' has an orientation that is no rotation";
+    let twice = Mat3::IDENTITY * 2.0;
+    let mirror = Mat3::from_rows(Vec3::X, Vec3::Y, -Vec3::Z);
+    let sheared = Mat3::from_rows(Vec3::X, Vec3::new(2e-6, 1.0, 0.0), Vec3::Z);
+    for E in [twice, mirror, sheared, Mat3::ZERO] {
+        assert_joint(with(|j| j.placement = Transform::new(E, Vec3::ZERO)), 1, message);
+    }
+    let rounded = Mat3::rotation_rpy(0.3, -1.1, 2.0) * (1.0 + 4e-7);
+    assert!(with(|j| j.placement = Transform::new(rounded, Vec3::ZERO)).is_ok());
+}
