@@ -35,7 +35,7 @@ fn robots() -> Vec<Model<f64>> {
     all.extend(
         [(3, 0.0, 1.0), (5, 0.3, 0.7)].map(|(n, skew, taper)| family(Family::hydra(n, 1.0, skew, taper))),
     );
-    all.into_iter().map(|model| model.with_gravity(Vec3::ZERO)).collect()
+    all.into_iter().map(|model| model.with_gravity(Vec3::ZERO).unwrap()).collect()
 }
 
 /// v⁺ and q⁺ of a method, the whole robot: H, C and the springs as they are at q, v.

@@ -33,7 +33,7 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
     let is_free = forces.springs.is_empty() && forces.controller.is_none() && forces.torque.is_none();
     let model = match args.gravity {
         Switch::On => loaded.model.clone(),
-        Switch::Off => loaded.model.clone().with_gravity(Vec3::ZERO),
+        Switch::Off => loaded.model.clone().with_gravity(Vec3::ZERO)?,
     };
     let (method, steps) = method(args)?;
     let algorithm = match args.dynamics {

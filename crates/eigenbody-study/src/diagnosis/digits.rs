@@ -178,7 +178,7 @@ fn ltl<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T
 }
 
 fn aba<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
-    let still = model.clone().with_gravity(eigenbody::spatial::Vec3::ZERO);
+    let still = model.clone().with_gravity(eigenbody::spatial::Vec3::ZERO)?;
     let rest = vec![T::ZERO; model.nv()];
     Ok(forward_dynamics(&still, &numbers::<T>(q), &rest, &numbers::<T>(tau)).ok())
 }

@@ -15,6 +15,9 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
     if robot.links.len() > MAX_BODIES {
         return Err(BuildError::TooManyBodies { count: robot.links.len(), limit: MAX_BODIES });
     }
+    if !robot.gravity.to_array().iter().all(|x| x.is_finite()) {
+        return Err(BuildError::GravityNotFinite);
+    }
     let mut nodes = pre_order(&robot)?;
     check_links(&robot)?;
     robot.joints.iter_mut().enumerate().try_for_each(|(j, spec)| check_joint(JointId(j as u32), spec))?;

@@ -22,6 +22,8 @@ pub enum BuildError {
     NoLinks,
     #[error("{count} bodies, more than the limit of {limit}")]
     TooManyBodies { count: usize, limit: usize },
+    #[error("gravity is not a finite vector")]
+    GravityNotFinite,
     #[error("a second link is named '{name}'")]
     DuplicateLink { link: LinkId, name: String },
     #[error("a second joint is named '{name}'")]
@@ -62,7 +64,7 @@ impl BuildError {
     /// The link or joint to point at.
     pub fn place(&self) -> Place {
         match *self {
-            Self::NoLinks | Self::TooManyBodies { .. } => Place::Model,
+            Self::NoLinks | Self::TooManyBodies { .. } | Self::GravityNotFinite => Place::Model,
             Self::DuplicateLink { link, .. }
             | Self::TwoRoots { second: link, .. }
             | Self::LinkNotFinite { link, .. }

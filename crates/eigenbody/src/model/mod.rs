@@ -160,10 +160,16 @@ impl<T: Scalar> Model<T> {
         self.gravity
     }
 
-    /// The same model under another gravity.
-    pub fn with_gravity(mut self, gravity: Vec3<T>) -> Self {
+    /// The same model under another gravity (m/s²).
+    ///
+    /// Errors: [`InputError::NotFinite`].
+    pub fn with_gravity(mut self, gravity: Vec3<T>) -> Result<Self, InputError>
+    where
+        T: Real,
+    {
+        check("gravity", &gravity.to_array(), 3)?;
         self.gravity = gravity;
-        self
+        Ok(self)
     }
 
     /// True if the root link moves freely: the first six DoFs are its own.

@@ -2,7 +2,7 @@
 
 use eigenbody::model::{JointId, JointSpec, LinkId, MimicSpec, Place};
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
-use eigenbody::{Base, BuildError, Joint, Model, ModelBuilder};
+use eigenbody::{Base, BuildError, InputError, Joint, Model, ModelBuilder};
 
 type Robot = ModelBuilder<f64>;
 type Spec = JointSpec<f64>;
@@ -237,4 +237,18 @@ fn orientations_are_rotations() {
     }
     let rounded = Mat3::rotation_rpy(0.3, -1.1, 2.0) * (1.0 + 4e-7);
     assert!(with(|j| j.placement = Transform::new(rounded, Vec3::ZERO)).is_ok());
+}
+
+#[test]
+fn gravity_is_finite() {
+    for gravity in [Vec3::new(0.0, 0.0, f64::NAN), Vec3::new(f64::INFINITY, 0.0, 0.0)] {
+        let mut robot = Robot::new("test");
+        robot.link("a", ball());
+        robot.gravity(gravity);
+        let error = robot.build(Base::Fixed).unwrap_err();
+        assert_eq!((error.clone(), error.place()), (BuildError::GravityNotFinite, Place::Model));
+    }
+    let model = with(|_| ()).unwrap();
+    let refused = InputError::NotFinite { what: "gravity", index: 2 };
+    assert_eq!(model.with_gravity(Vec3::new(0.0, 0.0, f64::NAN)), Err(refused));
 }
