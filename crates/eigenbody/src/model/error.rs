@@ -24,6 +24,8 @@ pub enum BuildError {
     TooManyBodies { count: usize, limit: usize },
     #[error("gravity is not a finite vector")]
     GravityNotFinite,
+    #[error("joint '{name}' is on link number {}, counted from 0, and there are {count}", link.index())]
+    UnknownLink { joint: JointId, name: String, link: LinkId, count: usize },
     #[error("a second link is named '{name}'")]
     DuplicateLink { link: LinkId, name: String },
     #[error("a second joint is named '{name}'")]
@@ -69,7 +71,8 @@ impl BuildError {
             | Self::TwoRoots { second: link, .. }
             | Self::LinkNotFinite { link, .. }
             | Self::NegativeMass { link, .. } => Place::Link(link),
-            Self::DuplicateJoint { joint, .. }
+            Self::UnknownLink { joint, .. }
+            | Self::DuplicateJoint { joint, .. }
             | Self::TwoParents { second: joint, .. }
             | Self::Loop { joint, .. }
             | Self::JointNotFinite { joint, .. }

@@ -252,3 +252,14 @@ fn gravity_is_finite() {
     let refused = InputError::NotFinite { what: "gravity", index: 2 };
     assert_eq!(model.with_gravity(Vec3::new(0.0, 0.0, f64::NAN)), Err(refused));
 }
+
+/// A link's number from another description, in which there are more.
+#[test]
+fn links_of_another_builder() {
+    let mut other = Robot::new("other");
+    links(&mut other);
+    let far = other.link("d", ball());
+    let message = "joint 'j2' is on link number 3, counted from 0, and there are 3";
+    assert_joint(with(|j| j.parent = far), 1, message);
+    assert_joint(with(|j| j.child = far), 1, message);
+}
