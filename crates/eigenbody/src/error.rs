@@ -49,6 +49,48 @@ pub enum InputError {
         /// Its value.
         value: f64,
     },
+    /// A number that may be zero and is below.
+    #[error("{what}[{index}] = {value}, expected zero or more")]
+    Negative {
+        /// Name of the argument.
+        what: &'static str,
+        /// Position of the first offender.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// An index beyond what the model has.
+    #[error("there is no {what} number {index}, counted from 0: the model has {count}")]
+    NoSuch {
+        /// What is counted.
+        what: &'static str,
+        /// The index that was given.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A link that is fastened to the world has no inertia that matters.
+    #[error("link '{link}' does not move")]
+    Immovable {
+        /// Its name.
+        link: String,
+    },
+    /// Limits belong to joints with one coordinate.
+    #[error("joint '{joint}' has not one coordinate, and can have no limits")]
+    SeveralCoordinates {
+        /// Its name.
+        joint: String,
+    },
+    /// A lower limit above the upper one.
+    #[error("joint '{joint}' has lower limit {lower} above upper limit {upper}")]
+    CrossedLimits {
+        /// Its name.
+        joint: String,
+        /// The lower limit (rad, m).
+        lower: f64,
+        /// The upper limit (rad, m).
+        upper: f64,
+    },
     /// A dense matrix that would not fit.
     #[error("a dense matrix of {nv} × {nv} entries is too large (limit {limit} × {limit})")]
     TooLargeForDense {

@@ -3,6 +3,7 @@
 use super::body::{Body, JointInfo, LinkInfo, WORLD};
 use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
 use super::error::BuildError;
+use super::number::{Fault, check_armature, check_inertia, crossed_limits};
 use super::topology::{Node, pre_order};
 use super::{Deferred, DofTree, MAX_BODIES, Model, ROTATION_TOLERANCE, canonical, coupling, finding};
 use crate::joint::Joint;
@@ -88,15 +89,10 @@ fn quaternions<T: Real>(joints: &[JointInfo<T>]) -> Vec<(u32, u32)> {
 fn check_links<T: Real>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
     for (i, (name, inertia)) in robot.links.iter().enumerate() {
         let (link, name) = (LinkId(i as u32), || name.to_string());
-        let I = inertia.I;
-        let (h, I) = (inertia.h.to_array(), [I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]);
-        let parts: [(_, &[T]); 3] = [("mass", &[inertia.m]), ("centre of mass", &h), ("inertia", &I)];
-        if let Some((what, _)) = parts.iter().find(|(_, numbers)| !numbers.iter().all(|x| x.is_finite())) {
-            return Err(BuildError::LinkNotFinite { link, name: name(), what });
-        }
-        if inertia.m < T::ZERO {
-            return Err(BuildError::NegativeMass { link, name: name(), mass: inertia.m.to_f64() });
-        }
+        check_inertia(inertia).map_err(|fault| match fault {
+            Fault::Negative { value: mass, .. } => BuildError::NegativeMass { link, name: name(), mass },
+            Fault::NotFinite { what, .. } => BuildError::LinkNotFinite { link, name: name(), what },
+        })?;
     }
     Ok(())
 }
@@ -115,7 +111,6 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
     if !E.is_rotation(ROTATION_TOLERANCE) {
         return Err(BuildError::NotARotation { joint, name: name() });
     }
-    finite(&spec.armature, "armature")?;
     if let Joint::Helical { pitch } = spec.kind {
         finite(&[pitch], "pitch")?;
     }
@@ -134,17 +129,15 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
             found: spec.armature.len(),
         });
     }
-    if let Some(&armature) = spec.armature.iter().find(|&&a| a < T::ZERO) {
-        return Err(BuildError::NegativeArmature { joint, name: name(), armature: armature.to_f64() });
-    }
-    if let Some((lower, upper)) = spec.limits {
-        if lower.to_f64().is_nan() || upper.to_f64().is_nan() {
-            return Err(BuildError::JointNotFinite { joint, name: name(), what: "limit" });
+    let located = |fault| match fault {
+        Fault::NotFinite { what, .. } => BuildError::JointNotFinite { joint, name: name(), what },
+        Fault::Negative { value: armature, .. } => {
+            BuildError::NegativeArmature { joint, name: name(), armature }
         }
-        if lower > upper {
-            let (lower, upper) = (lower.to_f64(), upper.to_f64());
-            return Err(BuildError::CrossedLimits { joint, name: name(), lower, upper });
-        }
+    };
+    check_armature(&spec.armature).map_err(located)?;
+    if let Some((lower, upper)) = crossed_limits(spec.limits).map_err(located)? {
+        return Err(BuildError::CrossedLimits { joint, name: name(), lower, upper });
     }
     let unit = |a: Vec3<T>| match a.x.abs().max(a.y.abs()).max(a.z.abs()) {
         largest if largest > T::ZERO => {
