@@ -39,6 +39,14 @@ pub enum InputError {
         /// Name of the closure whose anchor it is.
         closure: String,
     },
+    /// An axis whose length is not 1 to within 1e-6.
+    #[error("closure '{closure}' has an axis of length {length}, expected a unit vector")]
+    NotAUnitVector {
+        /// Name of the closure.
+        closure: String,
+        /// Length of the axis.
+        length: f64,
+    },
     /// A weight that must be positive and is not.
     #[error("{what}[{index}] = {value}, expected a positive number")]
     NotPositive {

@@ -7,7 +7,7 @@
 //! So κ depends on the metric B as it does for a tree, and not on the choice of N.
 
 use super::{Conditioning, Question, conditioning, ratio};
-use crate::dynamics::{BASE, Closure, Reduction, closure_jacobian, closure_residual};
+use crate::dynamics::{BASE, Closure, Reduction, closure_jacobian, closure_residual, closure_sizes};
 use crate::error::{Error, InputError};
 use crate::matrix::Matrix;
 use crate::model::{Model, Random};
@@ -15,7 +15,7 @@ use crate::spectrum::{Metric, NullSpace, eigen, null_space};
 
 /// Rows of A shorter than this against the longest, outside the rows before them, count as dependent.
 pub const RANK_TOLERANCE: f64 = 1e-9;
-/// How far a closed loop may be open (m, rad).
+/// How far a closed loop may be open (m, rad), anchors within a metre of the world's origin.
 const CLOSED: f64 = 1e-11;
 /// Steps after which closing is given up.
 const MAX_STEPS: usize = 100;
@@ -57,7 +57,8 @@ pub struct Allowed {
 /// Method: v = −Aᵀ (A Aᵀ)⁺ φ, at most half a radian or metre a step; q ← q ⊕ v. Where eight steps do not halve φ, a small step aside
 /// (pseudo-random, always the same): links in line can close to second order only. Cost O(rows³) a step.
 ///
-/// Errors: [`InputError`] if q does not fit the model; [`Error::Open`] if φ does not go below 1e-11.
+/// Errors: [`InputError`] if q does not fit the model; [`Error::Open`] if φ does not go below 1e-11, times the
+/// anchors' distance from the world's origin where that is more than a metre.
 ///
 /// ```
 /// use eigenbody::dynamics::{Anchor, Closure, Tie};
@@ -82,7 +83,7 @@ pub fn close_loops(
     let mut residual = closure_residual(model, &q, closures)?;
     let before = largest(&residual);
     let (mut steps, mut lately) = (0, before);
-    while largest(&residual) > CLOSED {
+    while !is_closed(&residual, &closure_sizes(model, &q, closures)?) {
         if steps == MAX_STEPS {
             let after = largest(&residual);
             return Err(Error::Open { closure: worst(closures, &residual), before, after, steps });
@@ -254,6 +255,11 @@ fn shortest(A: &Matrix<f64>, b: &[f64]) -> Result<Vec<f64>, Error> {
         }
     }
     Ok(v)
+}
+
+/// True if what is left of φ is rounding.
+fn is_closed(residual: &[f64], sizes: &[f64]) -> bool {
+    residual.iter().zip(sizes).all(|(open, size)| open.abs() <= CLOSED * size)
 }
 
 fn largest(x: &[f64]) -> f64 {

@@ -55,7 +55,7 @@ pub(super) fn twist_translation<T: Real>(w: Vec3<T>, u: Vec3<T>) -> Vec3<T> {
 }
 
 /// conj(a) ⊗ b as the turn w with a ⊗ exp(w/2) = ±b, |w| ≤ π.
-pub(super) fn quaternion_log<T: Real>(a: [T; 4], b: [T; 4]) -> Vec3<T> {
+pub(crate) fn quaternion_log<T: Real>(a: [T; 4], b: [T; 4]) -> Vec3<T> {
     let [w, x, y, z] = quaternion_product([a[0], -a[1], -a[2], -a[3]], b);
     let v = Vec3::new(x, y, z);
     let (w, v) = if w < T::ZERO { (-w, -v) } else { (w, v) };

@@ -196,3 +196,83 @@ fn anchors_are_frames() {
     let refused = InputError::NotFinite { what: "origin of an anchor", index: 1 };
     assert_eq!(closure_residual(&model, &[0.1, 0.2], &[tip]), Err(refused));
 }
+
+/// A weld that is off by nearly half a turn says so to rounding: the angle is π − δ about the axis, whatever δ.
+#[test]
+fn welds_near_half_a_turn() {
+    use std::f64::consts::PI;
+    let axis = Vec3::new(0.48, -0.6, 0.64);
+    for k in 0..18 {
+        let angle = PI - 10f64.powi(-k);
+        let (model, mut weld) = pinned(1, Vec3::ZERO, Tie::Weld);
+        weld.anchors[0].link = Some(0);
+        weld.anchors[0].pose = Transform::IDENTITY;
+        weld.anchors[1] = Anchor {
+            link: Some(0),
+            pose: Transform::new(Mat3::rotation_about(axis, angle.sin_cos()), Vec3::ZERO),
+        };
+        let found = closure_residual(&model, &[0.0], &[weld]).unwrap();
+        let sign = (found[4] * axis.y).signum();
+        let expected = (axis * (angle * sign)).to_array();
+        for (found, expected) in found[3..].iter().zip(expected) {
+            // 10 ε of the half turn: entries of the rotation, and the root of their sum
+            assert!((found - expected).abs() < 10.0 * f64::EPSILON * PI, "{k}: {found} {expected}");
+        }
+        // At half a turn both ways round are the same.
+        assert!(sign > 0.0 || k > 14, "{k}");
+    }
+}
+
+#[test]
+fn links_and_axes_of_loops_are_checked() {
+    let (model, tip) = pinned(2, Vec3::X, Tie::Ball);
+    let q = [0.1, 0.2];
+    for k in 0..2 {
+        let mut far = tip.clone();
+        far.anchors[k].link = Some(3);
+        let refused = InputError::NoSuch { what: "link", index: 3, count: 3 };
+        assert_eq!(closure_residual(&model, &q, &[far.clone()]), Err(refused.clone()));
+        assert_eq!(closure_jacobian(&model, &q, &[far]), Err(refused));
+    }
+    let long = Vec3::new(0.0, 0.0, 2.0);
+    for (tie, length) in [
+        (Tie::Hinge(Vec3::ZERO), 0.0),
+        (Tie::Slide(long), 2.0),
+        (Tie::Universal { first: long, second: Vec3::Z }, 2.0),
+        (Tie::Universal { first: Vec3::Z, second: Vec3::ZERO }, 0.0),
+    ] {
+        let refused = InputError::NotAUnitVector { closure: "tip".into(), length };
+        let closures = [Closure { tie, ..tip.clone() }];
+        assert_eq!(closure_residual(&model, &q, &closures), Err(refused.clone()));
+        assert_eq!(closure_jacobian(&model, &q, &closures), Err(refused));
+    }
+    let nan = Closure { tie: Tie::Hinge(Vec3::new(f64::NAN, 0.0, 0.0)), ..tip };
+    let refused = closure_residual(&model, &q, &[nan]);
+    assert!(matches!(refused, Err(InputError::NotAUnitVector { .. })), "{refused:?}");
+}
+
+/// A loop a hundred kilometres from the origin closes as far as numbers there go.
+#[test]
+fn far_loops_close() {
+    let there = Vec3::new(1e5, -3e4, 0.0);
+    let mut robot = eigenbody::ModelBuilder::<f64>::new("far");
+    let solid = eigenbody::spatial::RigidInertia::from_com(
+        1.0,
+        Vec3::X,
+        eigenbody::spatial::Sym3::diagonal(0.1, 0.1, 0.1),
+    );
+    let mut last = robot.link("base", solid);
+    for j in 0..3 {
+        let link = robot.link(format!("link {j}"), solid);
+        let joint = eigenbody::model::JointSpec::new(format!("{j}"), eigenbody::Joint::Revolute, last, link);
+        robot.joint(joint.at(Transform::translation(if j == 0 { there } else { Vec3::X })));
+        last = link;
+    }
+    let model = robot.build(Base::Fixed).unwrap();
+    let tip = Anchor { link: Some(3), pose: Transform::translation(Vec3::X) };
+    let world = Anchor { link: None, pose: Transform::translation(there + Vec3::new(1.7, 0.0, 0.0)) };
+    let pin = Closure { name: "pin".into(), tie: Tie::Hinge(Vec3::Z), anchors: [world, tip] };
+    let closed = close_loops(&model, &[1.2, -0.9, -1.0], &[pin], Reduction::default()).unwrap();
+    // 1e-11 of the distance, 1.05e5 m
+    assert!(closed.before > 1e-3 && closed.after <= 1.1e-6, "{closed:?}");
+}
