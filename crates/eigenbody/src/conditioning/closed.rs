@@ -131,7 +131,7 @@ pub fn allowed_motions(
     let A = rows(model, q, closures, reduction)?;
     let dofs = reduction.dofs(model);
     let weights = metric.weights_of(&H, |row| model.is_translation(dofs[row]))?;
-    Ok(among(&H, &A, &weights))
+    Ok(among(&H, &A, &weights)?)
 }
 
 /// κ, κ′ and modes of a robot among the motions that its loops allow, at a closed q; modes over the DoFs of the reduction.
@@ -151,14 +151,14 @@ pub fn conditioning_closed(
     let A = rows(model, q, closures, *reduction)?;
     let dofs = reduction.dofs(model);
     let weights = metric.weights_of(&H, |row| model.is_translation(dofs[row]))?;
-    let allowed = among(&H, &A, &weights);
+    let allowed = among(&H, &A, &weights)?;
     let one = |n: usize| vec![1.0; n];
     let within = conditioning(&allowed.H, &one(allowed.H.rows()))?;
     let diagonal: Vec<f64> = (0..H.rows()).map(|d| H[(d, d)]).collect();
     let mut notes: Vec<String> =
         within.notes.into_iter().filter(|note| !note.contains("κ′") && !note.contains("λ′")).collect();
     let kappa_weighted = if diagonal.iter().all(|&h| h > 0.0) {
-        let own = among(&H, &A, &diagonal);
+        let own = among(&H, &A, &diagonal)?;
         let own = conditioning(&own.H, &one(own.H.rows()))?;
         notes.extend(
             own.notes
@@ -214,10 +214,10 @@ fn coupled(A: &Matrix<f64>, model: &Model<f64>, reduction: Reduction) -> Matrix<
     }
 }
 
-fn among(H: &Matrix<f64>, A: &Matrix<f64>, weights: &[f64]) -> Allowed {
+fn among(H: &Matrix<f64>, A: &Matrix<f64>, weights: &[f64]) -> Result<Allowed, InputError> {
     let units: Vec<f64> = weights.iter().map(|b| 1.0 / b.sqrt()).collect();
     let scaled = Matrix::from_fn(A.rows(), A.cols(), |i, j| A[(i, j)] * units[j]);
-    let NullSpace { basis, rank } = null_space(&scaled, RANK_TOLERANCE);
+    let NullSpace { basis, rank } = null_space(&scaled, RANK_TOLERANCE)?;
     let (n, k) = (basis.rows(), basis.cols());
     let basis = Matrix::from_fn(n, k, |i, j| units[i] * basis[(i, j)]);
     let HN = Matrix::<f64>::from_fn(n, k, |i, j| (0..n).map(|l| H[(i, l)] * basis[(l, j)]).sum());
@@ -228,7 +228,7 @@ fn among(H: &Matrix<f64>, A: &Matrix<f64>, weights: &[f64]) -> Allowed {
             (reduced[(i, j)], reduced[(j, i)]) = (entry, entry);
         }
     }
-    Allowed { basis, H: reduced, rank }
+    Ok(Allowed { basis, H: reduced, rank })
 }
 
 /// N y with its largest part, weighed by B, positive.

@@ -154,7 +154,7 @@ fn null_spaces_are_orthonormal() {
         let entries = numbers::<f64>(m * n, seed);
         // Every third row repeats the first.
         let A = Matrix::from_fn(m, n, |i, j| entries[if i % 3 == 2 { 0 } else { i } * n + j]);
-        let found = null_space(&A, 1e-12);
+        let found = null_space(&A, 1e-12).unwrap();
         let N = &found.basis;
         assert_eq!(found.rank, (m - m / 3).min(n));
         assert_eq!((N.rows(), N.cols()), (n, n - found.rank));
@@ -275,4 +275,17 @@ fn far_loops_close() {
     let closed = close_loops(&model, &[1.2, -0.9, -1.0], &[pin], Reduction::default()).unwrap();
     // 1e-11 of the distance, 1.05e5 m
     assert!(closed.before > 1e-3 && closed.after <= 1.1e-6, "{closed:?}");
+}
+
+#[test]
+fn null_spaces_of_no_numbers_and_of_large_ones() {
+    for bad in [f64::NAN, f64::INFINITY] {
+        let A = Matrix::from_fn(2, 3, |i, j| if (i, j) == (1, 0) { bad } else { 1.0 });
+        assert_eq!(null_space(&A, 1e-12), Err(InputError::NotFinite { what: "A", index: 3 }));
+    }
+    let of = |unit: f64| null_space(&Matrix::from_fn(2, 3, |i, j| unit * f64::from((i + j) as u8)), 1e-12);
+    for power in [-1060, -600, 600, 1020] {
+        assert_eq!(of(f64::from(power).exp2()), of(1.0), "{power}");
+    }
+    assert_eq!(of(0.0).unwrap().rank, 0);
 }
