@@ -7,6 +7,7 @@
 mod aligned;
 mod dd;
 mod dd_trig;
+mod decimal;
 mod float;
 mod fused;
 mod lanes;
