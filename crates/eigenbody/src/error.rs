@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// An argument that a function cannot work with.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum InputError {
     /// A slice of the wrong length.
     #[error("{what} has {found} numbers, expected {expected}")]
@@ -132,6 +133,7 @@ pub struct NotPositiveDefinite {
 
 /// Any failure of an algorithm on a model.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The input was refused.
     #[error(transparent)]

@@ -50,6 +50,7 @@ pub struct MimicSpec<T> {
 
 /// A joint of the description.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct JointSpec<T> {
     /// A name that no other joint has.
     pub name: String,
@@ -123,6 +124,7 @@ impl<T: Real> JointSpec<T> {
 /// # Ok::<(), eigenbody::BuildError>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct ModelBuilder<T> {
     pub(super) name: String,
     pub(super) links: Vec<(Box<str>, RigidInertia<T>)>,
