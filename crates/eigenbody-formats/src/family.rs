@@ -136,10 +136,11 @@ impl Parameters {
 /// Which parameter a fault is about.
 fn slot(fault: &FamilyError) -> usize {
     match fault {
-        FamilyError::Links(_) => 0,
         FamilyError::Branching(_) => 1,
         FamilyError::Size { what, .. } => 1 + usize::from(what.starts_with('l')),
         FamilyError::Skew(_) => 2,
         FamilyError::Taper(_) => TAPER,
+        // The number of links.
+        _ => 0,
     }
 }

@@ -115,7 +115,8 @@ fn raise(py: Python<'_>, failure: Failure) -> PyResult<PyErr> {
                     match error {
                         InputError::Length { what, .. } => details.set_item("what", what)?,
                         InputError::NotFinite { what, index }
-                        | InputError::NotPositive { what, index, .. } => {
+                        | InputError::NotPositive { what, index, .. }
+                        | InputError::Negative { what, index, .. } => {
                             details.set_item("what", what)?;
                             details.set_item("index", index)?;
                         }

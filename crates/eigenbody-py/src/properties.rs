@@ -145,11 +145,8 @@ impl Model {
 
     #[pyo3(signature = (gravity, /))]
     fn with_gravity(&self, gravity: [f64; 3]) -> Result<Self, Failure> {
-        if let Some(index) = gravity.iter().position(|g| !g.is_finite()) {
-            return Err(eigenbody::InputError::NotFinite { what: "gravity", index }.into());
-        }
         let gravity = eigenbody::spatial::Vec3::from_f64(gravity);
-        Ok(Self::with(&self.shared, self.shared.robot.model.clone().with_gravity(gravity)))
+        Ok(Self::with(&self.shared, self.shared.robot.model.clone().with_gravity(gravity)?))
     }
 
     #[pyo3(signature = (*, rotors=false))]

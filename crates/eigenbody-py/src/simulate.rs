@@ -150,7 +150,7 @@ pub fn simulate<'py>(
     let shared = &model.shared;
     let reduction = shared.robot.reduction;
     let own = shared.robot.model.clone();
-    let moving = if asked.gravity { own } else { own.with_gravity(Vec3::ZERO) };
+    let moving = if asked.gravity { own } else { own.with_gravity(Vec3::ZERO)? };
     let start = |at: &Option<At<'_>>| match at {
         Some(at) => at.configuration("q", shared),
         None => At::default().configuration("q", shared),

@@ -138,7 +138,7 @@ fn a_step_is_made_stable() {
         let goal = Goal::Step(step, Integrator::SemiImplicitEuler);
         let found = least_armature(&model, &wish(goal, &springs)).unwrap().unwrap();
         assert!(found.added.iter().any(|added| added.added > 0.0));
-        let impedance = Impedance::new(&model, Reduction::default(), &springs);
+        let impedance = Impedance::new(&model, Reduction::default(), &springs).unwrap();
         let bears = |part: f64, q: &[f64]| {
             let armature = found.armature.iter().map(|a| part * a).collect();
             let mended = model.clone().with_armature(armature).unwrap();

@@ -35,7 +35,7 @@ fn robots() -> Vec<Model<f64>> {
     all.extend(
         [(3, 0.0, 1.0), (5, 0.3, 0.7)].map(|(n, skew, taper)| family(Family::hydra(n, 1.0, skew, taper))),
     );
-    all.into_iter().map(|model| model.with_gravity(Vec3::ZERO)).collect()
+    all.into_iter().map(|model| model.with_gravity(Vec3::ZERO).unwrap()).collect()
 }
 
 /// v⁺ and q⁺ of a method, the whole robot: H, C and the springs as they are at q, v.
@@ -114,7 +114,7 @@ fn ninety_five_percent_of_the_step_is_stable_and_a_hundred_and_five_is_not() {
             let springs = springs(&model, kp, kd);
             let integrator = Integrator::DampedEuler;
             let found = stepping(&model, Drive { springs: springs.clone(), step: None, integrator });
-            let impedance = Impedance::new(&model, Reduction::default(), &springs);
+            let impedance = Impedance::new(&model, Reduction::default(), &springs).unwrap();
             for limit in found.limits.iter().filter(|limit| limit.step.is_finite()) {
                 let grown =
                     |part: f64| growth(&model, &impedance, &limit.at, limit.integrator, part * limit.step);
@@ -135,7 +135,7 @@ fn the_worst_step_is_the_worst() {
         let springs = springs(&model, 100.0, 1.0);
         let integrator = Integrator::SemiImplicitEuler;
         let found = stepping(&model, Drive { springs: springs.clone(), step: None, integrator });
-        let impedance = Impedance::new(&model, Reduction::default(), &springs);
+        let impedance = Impedance::new(&model, Reduction::default(), &springs).unwrap();
         for limit in &found.limits {
             let at = |q: &[f64]| {
                 largest_step(&mass_matrix(&model, q).unwrap(), &impedance, limit.integrator).unwrap().step
@@ -174,7 +174,7 @@ fn gains_are_those_that_the_step_just_bears() {
             let found = stepping(&model, Drive { springs: Vec::new(), step: Some(step), integrator });
             let alone = |q: &[f64], kp: &[f64], kd: &[f64]| {
                 let H = mass_matrix(&model, q).unwrap();
-                largest_step(&H, &Impedance::diagonal(kp, kd), integrator).unwrap().step
+                largest_step(&H, &Impedance::diagonal(kp, kd).unwrap(), integrator).unwrap().step
             };
             let zero = vec![0.0; model.nv()];
             for (d, joint) in found.joints.iter().enumerate() {

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// An argument that a function cannot work with.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum InputError {
     /// A slice of the wrong length.
     #[error("{what} has {found} numbers, expected {expected}")]
@@ -33,6 +34,20 @@ pub enum InputError {
         /// Norm of the four numbers.
         norm: f64,
     },
+    /// An orientation whose E Eᵀ is not 1 to within 1e-6, or a reflection.
+    #[error("an anchor of closure '{closure}' has an orientation that is no rotation")]
+    NotARotation {
+        /// Name of the closure whose anchor it is.
+        closure: String,
+    },
+    /// An axis whose length is not 1 to within 1e-6.
+    #[error("closure '{closure}' has an axis of length {length}, expected a unit vector")]
+    NotAUnitVector {
+        /// Name of the closure.
+        closure: String,
+        /// Length of the axis.
+        length: f64,
+    },
     /// A weight that must be positive and is not.
     #[error("{what}[{index}] = {value}, expected a positive number")]
     NotPositive {
@@ -42,6 +57,48 @@ pub enum InputError {
         index: usize,
         /// Its value.
         value: f64,
+    },
+    /// A number that may be zero and is below.
+    #[error("{what}[{index}] = {value}, expected zero or more")]
+    Negative {
+        /// Name of the argument.
+        what: &'static str,
+        /// Position of the first offender.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// An index beyond what the model has.
+    #[error("there is no {what} number {index}, counted from 0: the model has {count}")]
+    NoSuch {
+        /// What is counted.
+        what: &'static str,
+        /// The index that was given.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A link that is fastened to the world has no inertia that matters.
+    #[error("link '{link}' does not move")]
+    Immovable {
+        /// Its name.
+        link: String,
+    },
+    /// Limits belong to joints with one coordinate.
+    #[error("joint '{joint}' has not one coordinate, and can have no limits")]
+    SeveralCoordinates {
+        /// Its name.
+        joint: String,
+    },
+    /// A lower limit above the upper one.
+    #[error("joint '{joint}' has lower limit {lower} above upper limit {upper}")]
+    CrossedLimits {
+        /// Its name.
+        joint: String,
+        /// The lower limit (rad, m).
+        lower: f64,
+        /// The upper limit (rad, m).
+        upper: f64,
     },
     /// A dense matrix that would not fit.
     #[error("a dense matrix of {nv} × {nv} entries is too large (limit {limit} × {limit})")]
@@ -76,6 +133,7 @@ pub struct NotPositiveDefinite {
 
 /// Any failure of an algorithm on a model.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The input was refused.
     #[error(transparent)]

@@ -30,9 +30,12 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
     let v = loaded.model.coupling().filter(|_| reduction.mimic).map_or(v.clone(), |map| map.follow(&v));
     let forces = forces(args, &loaded, reduction)?;
     let is_free = forces.springs.is_empty() && forces.controller.is_none() && forces.torque.is_none();
+    let refused = |source| Failure::Simulation { model: name.clone(), source };
     let model = match args.gravity {
         Switch::On => loaded.model.clone(),
-        Switch::Off => loaded.model.clone().with_gravity(Vec3::ZERO),
+        Switch::Off => {
+            loaded.model.clone().with_gravity(Vec3::ZERO).map_err(|error| refused(error.into()))?
+        }
     };
     let (method, steps) = method(args)?;
     let algorithm = match args.dynamics {
@@ -45,7 +48,6 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
     if intervals > 1e9 {
         return Err(Failure::Usage(format!("--time {time} --rate {rate}: more than 1e9 rows")));
     }
-    let refused = |source| Failure::Simulation { model: name.clone(), source };
     let mut simulation =
         Simulation::new(&model, &q, &v, method, steps, forces, algorithm).map_err(refused)?;
     let mut watches = joint_limits(&model);

@@ -160,7 +160,7 @@ fn by_ltl<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Ve
 }
 
 fn by_aba<T: Real>(model: &Model<T>, q: &[f64], tau: &[f64]) -> Result<Option<Vec<T>>, StudyError> {
-    let still = model.clone().with_gravity(eigenbody::spatial::Vec3::ZERO);
+    let still = model.clone().with_gravity(eigenbody::spatial::Vec3::ZERO)?;
     let rest = vec![T::ZERO; model.nv()];
     unless_singular(forward_dynamics(&still, &numbers(q), &rest, &numbers(tau)))
 }

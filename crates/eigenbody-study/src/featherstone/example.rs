@@ -16,7 +16,7 @@ use std::f64::consts::FRAC_PI_2;
 /// [`StudyError`], as every experiment.
 pub fn eq1(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let posed = lab.pose(&planar(8)?, Posture::Zag(FRAC_PI_2))?;
-    let still = posed.model.clone().with_gravity(Vec3::ZERO);
+    let still = posed.model.clone().with_gravity(Vec3::ZERO)?;
     let (zero, one) = ([0.0; 8], [1.0; 8]);
     let tau = inverse_dynamics(&still, &posed.q, &zero, &one)?;
     let rounded = [302.0, 250.0, 201.0, 151.0, 106.0, 64.5, 31.5, 8.68];

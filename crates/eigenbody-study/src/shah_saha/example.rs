@@ -18,7 +18,7 @@ const START_DEG: f64 = 30.0;
 pub(super) fn hanging(lab: &Lab<'_>, n: usize) -> Result<Model<f64>, StudyError> {
     let (s, c) = START_DEG.to_radians().sin_cos();
     let model = lab.robots.model(&Family::slender_chain(n, MASS_KG, LENGTH_M)?)?;
-    Ok(model.with_gravity(Vec3::new(c, -s, 0.0) * 9.81))
+    Ok(model.with_gravity(Vec3::new(c, -s, 0.0) * 9.81)?)
 }
 
 /// Figure 1: the chain, gravity downwards.
@@ -50,7 +50,7 @@ pub fn eq7(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
     let phi: Vec<f64> = gravity_force(&chain, &zero)?.iter().map(|g| -g).collect();
     let exact = forward_dynamics(&chain, &zero, &zero, &zero)?;
     let rounded = [-86.0, -48.7, -21.6, -5.4];
-    let still = chain.clone().with_gravity(Vec3::ZERO);
+    let still = chain.clone().with_gravity(Vec3::ZERO)?;
     let vdot = forward_dynamics(&still, &zero, &zero, &rounded)?;
     let numbers = [
         ("link", "1"),
@@ -104,7 +104,7 @@ pub fn eq11(lab: &Lab<'_>) -> Result<Outcome, StudyError> {
             ("hydra, α = 0.5", Family::hydra(n, 1.0, 0.5, 1.0)?),
         ];
         for (name, family) in robots {
-            let model = lab.robots.model(&family)?.with_gravity(Vec3::ZERO);
+            let model = lab.robots.model(&family)?.with_gravity(Vec3::ZERO)?;
             for q in [Posture::Zero.configuration(&model), model.random(n as u64)] {
                 let H = mass_matrix(&model, &q)?;
                 let mut denoc = Denoc::new(&model);

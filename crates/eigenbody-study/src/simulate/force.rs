@@ -98,14 +98,8 @@ pub(super) struct Acting {
 
 impl Acting {
     pub fn new(model: &Model<f64>, forces: Forces) -> Result<Self, InputError> {
-        for spring in &forces.springs {
-            if let Some(&(d, _)) = spring.arms.iter().find(|(d, _)| *d >= model.nv()) {
-                return Err(InputError::Length {
-                    what: "arms of a spring",
-                    expected: model.nv(),
-                    found: d + 1,
-                });
-            }
+        for (index, spring) in forces.springs.iter().enumerate() {
+            spring.check(model.nv(), index)?;
         }
         if forces.springs.iter().any(|spring| spring.stiffness != 0.0) {
             model.check_q(&forces.rest)?;

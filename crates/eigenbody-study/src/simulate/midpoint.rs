@@ -17,7 +17,7 @@ use eigenbody::dynamics::{
     inverse_dynamics_into, kinetic_energy_gradient_into,
 };
 use eigenbody::spatial::Vec3;
-use eigenbody::{Error, Model};
+use eigenbody::{Error, InputError, Model};
 
 /// Rounds before a step is given up.
 const ROUNDS: usize = 200;
@@ -50,10 +50,10 @@ pub(super) struct Midpoint {
 }
 
 impl Midpoint {
-    pub fn new(model: &Model<f64>) -> Self {
-        let weightless = model.clone().with_gravity(Vec3::ZERO);
+    pub fn new(model: &Model<f64>) -> Result<Self, InputError> {
+        let weightless = model.clone().with_gravity(Vec3::ZERO)?;
         let zeros = vec![0.0; model.nv()];
-        Self {
+        Ok(Self {
             aba: AbaWorkspace::new(&weightless),
             rnea: RneaWorkspace::new(&weightless),
             gradient: GradientWorkspace::new(model),
@@ -70,7 +70,7 @@ impl Midpoint {
             sum: zeros.clone(),
             q: vec![0.0; model.nq()],
             v1: zeros,
-        }
+        })
     }
 
     /// A step of h from (q₀, v₀); it counts once it is [accepted](Self::accept), and leaves nothing behind if it is not.

@@ -73,7 +73,7 @@ impl<'m> Simulation<'m> {
             Method::RungeKutta(tableau) => {
                 Stepper::Explicit(Box::new(Explicit::new(tableau, model.nq(), model.nv())))
             }
-            Method::ImplicitMidpoint => Stepper::Midpoint(Box::new(Midpoint::new(model))),
+            Method::ImplicitMidpoint => Stepper::Midpoint(Box::new(Midpoint::new(model)?)),
         };
         let has_estimate = matches!(method, Method::RungeKutta(Tableau { error: Some(_), .. }));
         if tolerance.is_some() && !has_estimate {

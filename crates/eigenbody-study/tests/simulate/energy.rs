@@ -58,8 +58,13 @@ fn the_midpoint_rule_keeps_the_energy_of_ten_links_bounded() {
 }
 
 fn adrift() -> (Model<f64>, Vec<f64>, Vec<f64>) {
-    let model: Model<f64> =
-        Family::hydra(9, 1.0, 0.4, 1.0).unwrap().floating().model::<f64>().unwrap().with_gravity(Vec3::ZERO);
+    let model: Model<f64> = Family::hydra(9, 1.0, 0.4, 1.0)
+        .unwrap()
+        .floating()
+        .model::<f64>()
+        .unwrap()
+        .with_gravity(Vec3::ZERO)
+        .unwrap();
     let v = (0..model.nv()).map(|d| ((7 * d % 5) as f64 - 1.8) * 0.5).collect();
     (model.clone(), model.random(4), v)
 }

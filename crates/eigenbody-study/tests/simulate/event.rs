@@ -52,7 +52,7 @@ fn joint_limits_are_noticed() {
     let body = robot.link("body", RigidInertia::from_com(1.0, Vec3::ZERO, Sym3::diagonal(1.0, 1.0, 1.0)));
     let rail = JointSpec::new("rail", Joint::Prismatic, base, body).about(Vec3::X);
     robot.joint(JointSpec { limits: Some((-0.5, 0.25)), ..rail });
-    let model: Model<f64> = robot.build(Base::Fixed).unwrap().with_gravity(Vec3::ZERO);
+    let model: Model<f64> = robot.build(Base::Fixed).unwrap().with_gravity(Vec3::ZERO).unwrap();
     let (events, _) = watched(&model, &[-0.75], &[2.0], &mut joint_limits(&model));
     let found: Vec<(f64, &str)> = events.iter().map(|event| (event.t, event.what.as_str())).collect();
     let expected = [

@@ -25,7 +25,7 @@ fn after(model: &Model<f64>, q: &[f64], forces: Forces, method: Method, t: f64) 
 /// One rod, no gravity, spring and damper: the damped oscillation of a textbook, by every method to its order.
 #[test]
 fn a_spring_and_a_damper() {
-    let model = chain(1).with_gravity(Vec3::ZERO);
+    let model = chain(1).with_gravity(Vec3::ZERO).unwrap();
     let (inertia, k, c): (f64, f64, f64) = (2.2 / 3.0, 30.0, 1.5);
     let forces = || Forces { springs: joint_springs(&model, k, c), rest: vec![0.2], ..Forces::default() };
     let (sigma, t) = (c / (2.0 * inertia), 1.3);
@@ -44,7 +44,7 @@ fn a_spring_and_a_damper() {
 /// Torque that grows evenly on a rod that nothing else moves: q = t³/6 over its inertia; held after the table's end.
 #[test]
 fn a_torque_over_time() {
-    let model = chain(1).with_gravity(Vec3::ZERO);
+    let model = chain(1).with_gravity(Vec3::ZERO).unwrap();
     let torque = Trajectory::new(vec![0.0, 1.0], vec![vec![0.0], vec![1.0]], 1).unwrap();
     let forces = Forces { torque: Some(torque), ..Forces::default() };
     let (inertia, method) = (2.2 / 3.0, Method::RungeKutta(DORMAND_PRINCE));
@@ -75,7 +75,7 @@ fn a_controller_holds_a_posture() {
 /// Along a trajectory a controller lags behind by little: it knows the target's velocity.
 #[test]
 fn a_controller_follows_a_trajectory() {
-    let model = chain(3).with_gravity(Vec3::ZERO);
+    let model = chain(3).with_gravity(Vec3::ZERO).unwrap();
     let times: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.02).collect();
     let rows = times.iter().map(|t| vec![0.5 * (1.0 - t.cos()); 3]).collect();
     let target = Trajectory::new(times, rows, 3).unwrap();

@@ -7,7 +7,7 @@
 //! So κ depends on the metric B as it does for a tree, and not on the choice of N.
 
 use super::{Conditioning, Question, conditioning, ratio};
-use crate::dynamics::{BASE, Closure, Reduction, closure_jacobian, closure_residual};
+use crate::dynamics::{BASE, Closure, Reduction, closure_jacobian, closure_residual, closure_sizes};
 use crate::error::{Error, InputError};
 use crate::matrix::Matrix;
 use crate::model::{Model, Random};
@@ -15,7 +15,7 @@ use crate::spectrum::{Metric, NullSpace, eigen, null_space};
 
 /// Rows of A shorter than this against the longest, outside the rows before them, count as dependent.
 pub const RANK_TOLERANCE: f64 = 1e-9;
-/// How far a closed loop may be open (m, rad).
+/// How far a closed loop may be open (m, rad), anchors within a metre of the world's origin.
 const CLOSED: f64 = 1e-11;
 /// Steps after which closing is given up.
 const MAX_STEPS: usize = 100;
@@ -57,7 +57,8 @@ pub struct Allowed {
 /// Method: v = −Aᵀ (A Aᵀ)⁺ φ, at most half a radian or metre a step; q ← q ⊕ v. Where eight steps do not halve φ, a small step aside
 /// (pseudo-random, always the same): links in line can close to second order only. Cost O(rows³) a step.
 ///
-/// Errors: [`InputError`] if q does not fit the model; [`Error::Open`] if φ does not go below 1e-11.
+/// Errors: [`InputError`] if q does not fit the model; [`Error::Open`] if φ does not go below 1e-11, times the
+/// anchors' distance from the world's origin where that is more than a metre.
 ///
 /// ```
 /// use eigenbody::dynamics::{Anchor, Closure, Tie};
@@ -82,7 +83,7 @@ pub fn close_loops(
     let mut residual = closure_residual(model, &q, closures)?;
     let before = largest(&residual);
     let (mut steps, mut lately) = (0, before);
-    while largest(&residual) > CLOSED {
+    while !is_closed(&residual, &closure_sizes(model, &q, closures)?) {
         if steps == MAX_STEPS {
             let after = largest(&residual);
             return Err(Error::Open { closure: worst(closures, &residual), before, after, steps });
@@ -130,7 +131,7 @@ pub fn allowed_motions(
     let A = rows(model, q, closures, reduction)?;
     let dofs = reduction.dofs(model);
     let weights = metric.weights_of(&H, |row| model.is_translation(dofs[row]))?;
-    Ok(among(&H, &A, &weights))
+    Ok(among(&H, &A, &weights)?)
 }
 
 /// κ, κ′ and modes of a robot among the motions that its loops allow, at a closed q; modes over the DoFs of the reduction.
@@ -150,14 +151,14 @@ pub fn conditioning_closed(
     let A = rows(model, q, closures, *reduction)?;
     let dofs = reduction.dofs(model);
     let weights = metric.weights_of(&H, |row| model.is_translation(dofs[row]))?;
-    let allowed = among(&H, &A, &weights);
+    let allowed = among(&H, &A, &weights)?;
     let one = |n: usize| vec![1.0; n];
     let within = conditioning(&allowed.H, &one(allowed.H.rows()))?;
     let diagonal: Vec<f64> = (0..H.rows()).map(|d| H[(d, d)]).collect();
     let mut notes: Vec<String> =
         within.notes.into_iter().filter(|note| !note.contains("κ′") && !note.contains("λ′")).collect();
     let kappa_weighted = if diagonal.iter().all(|&h| h > 0.0) {
-        let own = among(&H, &A, &diagonal);
+        let own = among(&H, &A, &diagonal)?;
         let own = conditioning(&own.H, &one(own.H.rows()))?;
         notes.extend(
             own.notes
@@ -213,10 +214,10 @@ fn coupled(A: &Matrix<f64>, model: &Model<f64>, reduction: Reduction) -> Matrix<
     }
 }
 
-fn among(H: &Matrix<f64>, A: &Matrix<f64>, weights: &[f64]) -> Allowed {
+fn among(H: &Matrix<f64>, A: &Matrix<f64>, weights: &[f64]) -> Result<Allowed, InputError> {
     let units: Vec<f64> = weights.iter().map(|b| 1.0 / b.sqrt()).collect();
     let scaled = Matrix::from_fn(A.rows(), A.cols(), |i, j| A[(i, j)] * units[j]);
-    let NullSpace { basis, rank } = null_space(&scaled, RANK_TOLERANCE);
+    let NullSpace { basis, rank } = null_space(&scaled, RANK_TOLERANCE)?;
     let (n, k) = (basis.rows(), basis.cols());
     let basis = Matrix::from_fn(n, k, |i, j| units[i] * basis[(i, j)]);
     let HN = Matrix::<f64>::from_fn(n, k, |i, j| (0..n).map(|l| H[(i, l)] * basis[(l, j)]).sum());
@@ -227,7 +228,7 @@ fn among(H: &Matrix<f64>, A: &Matrix<f64>, weights: &[f64]) -> Allowed {
             (reduced[(i, j)], reduced[(j, i)]) = (entry, entry);
         }
     }
-    Allowed { basis, H: reduced, rank }
+    Ok(Allowed { basis, H: reduced, rank })
 }
 
 /// N y with its largest part, weighed by B, positive.
@@ -254,6 +255,11 @@ fn shortest(A: &Matrix<f64>, b: &[f64]) -> Result<Vec<f64>, Error> {
         }
     }
     Ok(v)
+}
+
+/// True if what is left of φ is rounding.
+fn is_closed(residual: &[f64], sizes: &[f64]) -> bool {
+    residual.iter().zip(sizes).all(|(open, size)| open.abs() <= CLOSED * size)
 }
 
 fn largest(x: &[f64]) -> f64 {

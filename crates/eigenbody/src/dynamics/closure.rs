@@ -9,8 +9,9 @@
 
 use super::kinematics::{axes, link_pose};
 use crate::error::InputError;
+use crate::joint::quaternion_log;
 use crate::matrix::Matrix;
-use crate::model::Model;
+use crate::model::{Model, ROTATION_TOLERANCE, check};
 use crate::spatial::{Mat3, Motion, Transform, Vec3};
 use std::f64::consts::PI;
 
@@ -19,7 +20,7 @@ use std::f64::consts::PI;
 pub struct Anchor {
     /// Index into [`Model::links`]; none for the world.
     pub link: Option<usize>,
-    /// From the link's frame, or the world's, to this one.
+    /// From the link's frame, or the world's, to this one; E Eᵀ is 1 to within 1e-6.
     pub pose: Transform<f64>,
 }
 
@@ -41,6 +42,17 @@ pub enum Tie {
         /// Unit vector in the second frame.
         second: Vec3<f64>,
     },
+}
+
+impl Tie {
+    /// Its axes.
+    fn axes(&self) -> [Option<Vec3<f64>>; 2] {
+        match *self {
+            Self::Weld | Self::Ball => [None, None],
+            Self::Hinge(axis) | Self::Slide(axis) => [Some(axis), None],
+            Self::Universal { first, second } => [Some(first), Some(second)],
+        }
+    }
 }
 
 /// Two frames on two links that must stand in each other.
@@ -66,12 +78,32 @@ impl Closure {
     }
 
     fn place(&self, model: &Model<f64>, q: &[f64]) -> Result<Place, InputError> {
+        self.check(model)?;
         let pose = |anchor: &Anchor| match anchor.link {
             Some(link) => Ok(anchor.pose * link_pose(model, q, link)?),
             None => Ok::<_, InputError>(anchor.pose),
         };
         let [a, b] = [pose(&self.anchors[0])?, pose(&self.anchors[1])?];
         Ok(Place { E: a.E, origin: b.r, shift: a.E * (b.r - a.r), R: a.E * b.E.transpose() })
+    }
+
+    fn check(&self, model: &Model<f64>) -> Result<(), InputError> {
+        let count = model.links().len();
+        for Anchor { pose, link } in &self.anchors {
+            if let Some(index) = link.filter(|&link| link >= count) {
+                return Err(InputError::NoSuch { what: "link", index, count });
+            }
+            if !pose.E.is_rotation(ROTATION_TOLERANCE) {
+                return Err(InputError::NotARotation { closure: self.name.clone() });
+            }
+            check("origin of an anchor", &pose.r.to_array(), 3)?;
+        }
+        let lengths = self.tie.axes().into_iter().flatten().map(Vec3::norm);
+        match lengths.into_iter().find(|length| length.is_nan() || (length - 1.0).abs() > ROTATION_TOLERANCE)
+        {
+            Some(length) => Err(InputError::NotAUnitVector { closure: self.name.clone(), length }),
+            None => Ok(()),
+        }
     }
 
     /// Directions in the first frame along which nothing slides, and about which nothing turns.
@@ -91,7 +123,7 @@ impl Closure {
         let along = |e: Vec3<f64>| held.iter().map(|d| d.dot(e)).collect();
         match self.tie {
             Tie::Ball => Vec::new(),
-            Tie::Weld | Tie::Slide(_) => along(rotation_vector(&place.R)),
+            Tie::Weld | Tie::Slide(_) => along(rotation_vector(place.R)),
             Tie::Hinge(axis) => along(swing(axis, place.R * axis)),
             Tie::Universal { first, second } => vec![first.dot(place.R * second) - first.dot(second)],
         }
@@ -136,16 +168,25 @@ fn swing(from: Vec3<f64>, to: Vec3<f64>) -> Vec3<f64> {
 }
 
 /// Angle times axis of a rotation (columns: the new axes in the old frame).
-fn rotation_vector(R: &Mat3<f64>) -> Vec3<f64> {
-    let w = Vec3::new(R.z.y - R.y.z, R.x.z - R.z.x, R.y.x - R.x.y) * 0.5;
-    let (s, c) = (w.norm(), 0.5 * (R.x.x + R.y.y + R.z.z - 1.0));
-    if s > 1e-8 || c > 0.0 {
-        return if s == 0.0 { Vec3::ZERO } else { w * (s.atan2(c) / s) };
+fn rotation_vector(R: Mat3<f64>) -> Vec3<f64> {
+    quaternion_log([1.0, 0.0, 0.0, 0.0], R.transpose().quaternion())
+}
+
+/// What rounding is measured by, for every row of φ: for slides the larger distance of the two anchors from the world's origin, and at
+/// least a metre; one for turns.
+pub(crate) fn closure_sizes(
+    model: &Model<f64>,
+    q: &[f64],
+    closures: &[Closure],
+) -> Result<Vec<f64>, InputError> {
+    let mut sizes = Vec::new();
+    for closure in closures {
+        let place = closure.place(model, q)?;
+        let slides = closure.held(&place).0.len();
+        let far = place.origin.norm().max((place.origin - place.E.transpose_times(place.shift)).norm());
+        sizes.extend((0..closure.rows()).map(|row| if row < slides { far.max(1.0) } else { 1.0 }));
     }
-    // Half a turn: R + 1 = 2 a aᵀ.
-    let rows = [R.x + Vec3::X, R.y + Vec3::Y, R.z + Vec3::Z];
-    let longest = rows.into_iter().fold(Vec3::ZERO, |a, b| if b.norm() > a.norm() { b } else { a });
-    longest * (PI / longest.norm())
+    Ok(sizes)
 }
 
 /// φ(q): how far loops are from being closed.
@@ -155,7 +196,8 @@ fn rotation_vector(R: &Mat3<f64>) -> Vec3<f64> {
 /// | `q` | `nq` | rad, m, unit quaternion |
 /// | returned | the rows of every closure in turn, slides before turns | m, rad |
 ///
-/// Cost O(depth) a closure. Errors: [`InputError`] if q does not fit the model.
+/// Cost O(depth) a closure. Errors: [`InputError`] if q does not fit the model; [`InputError::NoSuch`] for a link that is not there;
+/// [`InputError::NotARotation`], [`InputError::NotFinite`] or [`InputError::NotAUnitVector`] for an anchor or an axis.
 pub fn closure_residual(model: &Model<f64>, q: &[f64], closures: &[Closure]) -> Result<Vec<f64>, InputError> {
     let mut rows = Vec::new();
     for closure in closures {
@@ -176,7 +218,8 @@ pub fn closure_residual(model: &Model<f64>, q: &[f64], closures: &[Closure]) -> 
 ///
 /// Method: columns of S in the world's axes, of the joints that move one link and not the other. Cost O(N + rows · depth).
 ///
-/// Errors: [`InputError`] if q does not fit the model.
+/// Errors: [`InputError`] if q does not fit the model; [`InputError::NoSuch`] for a link that is not there;
+/// [`InputError::NotARotation`], [`InputError::NotFinite`] or [`InputError::NotAUnitVector`] for an anchor or an axis.
 ///
 /// ```
 /// use eigenbody::dynamics::{Anchor, Closure, Tie, closure_jacobian};

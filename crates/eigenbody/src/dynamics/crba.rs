@@ -80,7 +80,7 @@ pub fn mass_matrix<T: Real>(model: &Model<T>, q: &[T]) -> Result<Matrix<T>, Inpu
 
 /// [`mass_matrix`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`mass_matrix`], and if `H` is not nv × nv.
+/// Errors: [`InputError`] if q does not fit the model, or `H` is not nv × nv.
 pub fn mass_matrix_into<T: Real>(
     model: &Model<T>,
     q: &[T],

@@ -69,12 +69,12 @@ pub struct EnergyShares<T> {
     pub armature: Vec<T>,
 }
 
-/// Part of every body and every rotor in the kinetic energy of (q, v); they sum to one.
+/// Part of every body and every rotor in the kinetic energy of (q, v); they sum to one, or are all zero for a motion without energy.
 ///
 /// | name | shape | unit |
 /// |------|-------|------|
 /// | `q` | `nq` | rad, m, unit quaternion |
-/// | `v` | `nv` | rad/s, m/s, any size but zero |
+/// | `v` | `nv` | rad/s, m/s |
 ///
 /// With v a mode of H these are sensitivities: the mode's λ changes by share · δ where a body's mass and inertia, or a rotor's
 /// inertia, change by the factor 1 + δ. Cost O(N); allocates.
@@ -95,6 +95,9 @@ pub fn energy_shares<T: Real>(model: &Model<T>, q: &[T], v: &[T]) -> Result<Ener
     let armature = model.armature.iter().zip(v).map(|(&armature, &v)| armature * v * v);
     let (mut bodies, mut armature): (Vec<T>, Vec<T>) = (bodies.collect(), armature.collect());
     let twice = bodies.iter().chain(&armature).fold(T::ZERO, |sum, &part| sum + part);
-    bodies.iter_mut().chain(&mut armature).for_each(|part| *part = *part / twice);
+    bodies
+        .iter_mut()
+        .chain(&mut armature)
+        .for_each(|part| *part = if twice > T::ZERO { *part / twice } else { T::ZERO });
     Ok(EnergyShares { bodies, armature })
 }

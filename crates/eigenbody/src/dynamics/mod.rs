@@ -24,6 +24,7 @@ mod rooted;
 pub(crate) use aba::Aba;
 pub use aba::{AbaWorkspace, forward_dynamics, forward_dynamics_into};
 pub use bias::{bias_force, bias_force_into, gravity_force, gravity_force_into};
+pub(crate) use closure::closure_sizes;
 pub use closure::{Anchor, Closure, Tie, closure_jacobian, closure_residual};
 pub(crate) use crba::Crba;
 pub use crba::{CrbaWorkspace, mass_matrix, mass_matrix_into, mass_matrix_upper_into};

@@ -49,6 +49,7 @@ pub struct Family {
 
 /// A parameter outside a family's range.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum FamilyError {
     /// No links, or too many.
     #[error("N = {}: the number of links is a whole number from 1 to {MAX_BODIES}", short(.0))]
@@ -135,6 +136,7 @@ impl Family {
     }
 
     /// The same robot without its first joint: link 1 is a floating base (Featherstone 2004, §4.6).
+    #[must_use]
     pub fn floating(self) -> Self {
         Self { base: Base::Floating, ..self }
     }

@@ -55,17 +55,17 @@ pub(super) fn twist_translation<T: Real>(w: Vec3<T>, u: Vec3<T>) -> Vec3<T> {
 }
 
 /// conj(a) ⊗ b as the turn w with a ⊗ exp(w/2) = ±b, |w| ≤ π.
-pub(super) fn quaternion_log<T: Real>(a: [T; 4], b: [T; 4]) -> Vec3<T> {
+pub(crate) fn quaternion_log<T: Real>(a: [T; 4], b: [T; 4]) -> Vec3<T> {
     let [w, x, y, z] = quaternion_product([a[0], -a[1], -a[2], -a[3]], b);
     let v = Vec3::new(x, y, z);
     let (w, v) = if w < T::ZERO { (-w, -v) } else { (w, v) };
     let s = v.norm();
-    // atan2(s, w)/s, by the half angle: what is left to the arc tangent is at most 1/√2, and its series needs no division by s.
+    // Sine and cosine of half the turn: 2φ along v/s.
     let two = T::from_f64(2.0);
     v * (two * arc_over_sine(s, w))
 }
 
-/// φ / sin φ for the angle φ in [0, π/2] with sine s and cosine c, up to a common factor of both.
+/// φ/s for φ = atan2(s, c) in [0, π/2], whatever the length of (s, c).
 fn arc_over_sine<T: Real>(s: T, c: T) -> T {
     let norm = (s * s + c * c).sqrt();
     let (s, c) = (s / norm, c / norm);

@@ -16,6 +16,7 @@ mod tangent;
 mod universal;
 
 pub(crate) use column::Column;
+pub(crate) use manifold::quaternion_log;
 
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Force, Motion, Transform, Vec3};

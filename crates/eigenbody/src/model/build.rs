@@ -3,8 +3,9 @@
 use super::body::{Body, JointInfo, LinkInfo, WORLD};
 use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
 use super::error::BuildError;
+use super::number::{Fault, check_armature, check_inertia, crossed_limits};
 use super::topology::{Node, pre_order};
-use super::{Deferred, DofTree, MAX_BODIES, Model, canonical, coupling, finding};
+use super::{Deferred, DofTree, MAX_BODIES, Model, ROTATION_TOLERANCE, canonical, coupling, finding};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, RigidInertia, Transform, Vec3};
@@ -14,6 +15,9 @@ const BASE_JOINT: &str = "floating_base";
 pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<Model<T>, BuildError> {
     if robot.links.len() > MAX_BODIES {
         return Err(BuildError::TooManyBodies { count: robot.links.len(), limit: MAX_BODIES });
+    }
+    if !robot.gravity.to_array().iter().all(|x| x.is_finite()) {
+        return Err(BuildError::GravityNotFinite);
     }
     let mut nodes = pre_order(&robot)?;
     check_links(&robot)?;
@@ -85,15 +89,10 @@ fn quaternions<T: Real>(joints: &[JointInfo<T>]) -> Vec<(u32, u32)> {
 fn check_links<T: Real>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
     for (i, (name, inertia)) in robot.links.iter().enumerate() {
         let (link, name) = (LinkId(i as u32), || name.to_string());
-        let I = inertia.I;
-        let (h, I) = (inertia.h.to_array(), [I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]);
-        let parts: [(_, &[T]); 3] = [("mass", &[inertia.m]), ("centre of mass", &h), ("inertia", &I)];
-        if let Some((what, _)) = parts.iter().find(|(_, numbers)| !numbers.iter().all(|x| x.is_finite())) {
-            return Err(BuildError::LinkNotFinite { link, name: name(), what });
-        }
-        if inertia.m < T::ZERO {
-            return Err(BuildError::NegativeMass { link, name: name(), mass: inertia.m.to_f64() });
-        }
+        check_inertia(inertia).map_err(|fault| match fault {
+            Fault::Negative { value: mass, .. } => BuildError::NegativeMass { link, name: name(), mass },
+            Fault::NotFinite { what, .. } => BuildError::LinkNotFinite { link, name: name(), what },
+        })?;
     }
     Ok(())
 }
@@ -109,7 +108,9 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
     finite(&spec.placement.r.to_array(), "origin")?;
     let E = spec.placement.E;
     finite([E.x, E.y, E.z].map(Vec3::to_array).as_flattened(), "orientation")?;
-    finite(&spec.armature, "armature")?;
+    if !E.is_rotation(ROTATION_TOLERANCE) {
+        return Err(BuildError::NotARotation { joint, name: name() });
+    }
     if let Joint::Helical { pitch } = spec.kind {
         finite(&[pitch], "pitch")?;
     }
@@ -128,17 +129,15 @@ fn check_joint<T: Real>(joint: JointId, spec: &mut JointSpec<T>) -> Result<(), B
             found: spec.armature.len(),
         });
     }
-    if let Some(&armature) = spec.armature.iter().find(|&&a| a < T::ZERO) {
-        return Err(BuildError::NegativeArmature { joint, name: name(), armature: armature.to_f64() });
-    }
-    if let Some((lower, upper)) = spec.limits {
-        if lower.to_f64().is_nan() || upper.to_f64().is_nan() {
-            return Err(BuildError::JointNotFinite { joint, name: name(), what: "limit" });
+    let located = |fault| match fault {
+        Fault::NotFinite { what, .. } => BuildError::JointNotFinite { joint, name: name(), what },
+        Fault::Negative { value: armature, .. } => {
+            BuildError::NegativeArmature { joint, name: name(), armature }
         }
-        if lower > upper {
-            let (lower, upper) = (lower.to_f64(), upper.to_f64());
-            return Err(BuildError::CrossedLimits { joint, name: name(), lower, upper });
-        }
+    };
+    check_armature(&spec.armature).map_err(located)?;
+    if let Some((lower, upper)) = crossed_limits(spec.limits).map_err(located)? {
+        return Err(BuildError::CrossedLimits { joint, name: name(), lower, upper });
     }
     let unit = |a: Vec3<T>| match a.x.abs().max(a.y.abs()).max(a.z.abs()) {
         largest if largest > T::ZERO => {

@@ -50,6 +50,7 @@ pub struct MimicSpec<T> {
 
 /// A joint of the description.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct JointSpec<T> {
     /// A name that no other joint has.
     pub name: String,
@@ -59,7 +60,7 @@ pub struct JointSpec<T> {
     pub parent: LinkId,
     /// The link that it carries; the link's frame is the joint's frame.
     pub child: LinkId,
-    /// From the parent link's frame to the joint's frame.
+    /// From the parent link's frame to the joint's frame; E Eᵀ is 1 to within 1e-6.
     pub placement: Transform<T>,
     /// Axis in the joint's frame, any length but zero; unused by fixed, spherical and floating joints.
     pub axis: Vec3<T>,
@@ -123,6 +124,7 @@ impl<T: Real> JointSpec<T> {
 /// # Ok::<(), eigenbody::BuildError>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct ModelBuilder<T> {
     pub(super) name: String,
     pub(super) links: Vec<(Box<str>, RigidInertia<T>)>,

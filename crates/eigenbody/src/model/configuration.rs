@@ -8,6 +8,8 @@ use std::f64::consts::PI;
 
 /// How far a quaternion's norm may be from 1.
 pub(crate) const QUATERNION_TOLERANCE: f64 = 1e-6;
+/// How far an entry of E Eᵀ may be from that of 1.
+pub(crate) const ROTATION_TOLERANCE: f64 = QUATERNION_TOLERANCE;
 
 /// Refuses a slice of the wrong length or with a number that is not finite.
 #[inline]

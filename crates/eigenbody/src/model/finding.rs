@@ -1,5 +1,6 @@
 //! What is suspicious about a model: recorded, never repaired.
 
+use super::Model;
 use super::body::{Body, LinkInfo};
 use super::builder::{JointId, LinkId, ModelBuilder};
 use super::error::Place;
@@ -167,16 +168,58 @@ pub(super) fn of_links<T: Real>(robot: &ModelBuilder<T>) -> Vec<Finding> {
         }
         let (link, name) = (LinkId(i as u32), || name.to_string());
         let principal = principal_moments(inertia);
-        let [a, b, c] = principal;
         plausible.push(Sized { link, mass: inertia.m.to_f64(), principal });
-        // Files round inertias to a few digits; an excess within 1e-6 of the moments is rounding.
-        if a <= 0.0 {
-            findings.push(Finding::InertiaNotPositive { link, name: name(), principal });
-        } else if c > (a + b) * (1.0 + 1e-6) {
-            findings.push(Finding::TriangleInequality { link, name: name(), principal });
-        }
+        findings.extend(of_moments(link, name, principal));
     }
     findings.extend(plausible::of_sizes(&plausible, |link| &robot.links[link.index()].0));
+    findings
+}
+
+/// What no body has. Files round inertias to a few digits; an excess within 1e-6 of the moments is rounding.
+fn of_moments(link: LinkId, name: impl Fn() -> String, principal: [f64; 3]) -> Option<Finding> {
+    let [a, b, c] = principal;
+    if a <= 0.0 {
+        return Some(Finding::InertiaNotPositive { link, name: name(), principal });
+    }
+    (c > (a + b) * (1.0 + 1e-6)).then(|| Finding::TriangleInequality { link, name: name(), principal })
+}
+
+/// The findings of a model after the inertia of a body was changed: those on its links, and on twins of theirs, are made anew.
+///
+/// `inertia` is what `before` was replaced with, in the frame in which it was given. A twin is compared by its body's inertia.
+pub(super) fn of_change<T: Real>(
+    model: &Model<T>,
+    body: usize,
+    before: &RigidInertia<T>,
+    inertia: &RigidInertia<T>,
+) -> Vec<Finding> {
+    let name = |link: LinkId| model.links[link.index()].name();
+    let own = |link: LinkId| model.links[link.index()].body() == Some(body);
+    let own_twin = |twin: &str| model.links.iter().any(|l| l.body() == Some(body) && l.name() == twin);
+    let (mut findings, old): (Vec<Finding>, Vec<Finding>) =
+        model.findings.iter().cloned().partition(|finding| {
+            let twin = matches!(finding, Finding::TwinDiffers { twin, .. } if own_twin(twin));
+            !(twin || matches!(finding.place(), Place::Link(link) if own(link)))
+        });
+    let link = LinkId(model.bodies[body].link);
+    if *inertia != RigidInertia::ZERO {
+        let principal = principal_moments(inertia);
+        findings.extend(of_moments(link, || name(link).to_owned(), principal));
+        let changed = Sized { link, mass: inertia.m.to_f64(), principal };
+        let has_units = findings.iter().any(|finding| matches!(finding, Finding::Units { .. }));
+        findings.extend(plausible::of_size(&changed, name).filter(|_| !has_units));
+        let bodies = model.bodies.iter().map(|b| (LinkId(b.link), &b.I));
+        let twin = bodies.filter(|(other, _)| plausible::are_twins(name(link), name(*other)));
+        for (link, I) in twin {
+            let twin = Sized { link, mass: I.m.to_f64(), principal: principal_moments(I) };
+            findings.extend(plausible::of_twins(&[&changed, &twin], name));
+        }
+    }
+    // A frame between two joints is meant to have no mass, and has no finding before.
+    let was_meant = before.m == T::ZERO && !old.iter().any(|f| matches!(f, Finding::ZeroMass { .. }));
+    if inertia.m == T::ZERO && !was_meant {
+        findings.push(Finding::ZeroMass { link, name: name(link).to_owned() });
+    }
     findings
 }
 

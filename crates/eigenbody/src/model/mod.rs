@@ -5,6 +5,7 @@ mod build;
 mod builder;
 mod canonical;
 mod cast;
+mod change;
 mod configuration;
 mod coupling;
 mod dof_tree;
@@ -12,13 +13,14 @@ mod error;
 mod finding;
 mod frames;
 mod mechanism;
+mod number;
 mod plausible;
 mod random;
 mod topology;
 
 pub use body::{Body, JointInfo, LinkInfo};
 pub use builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
-pub(crate) use configuration::{QUATERNION_TOLERANCE, check};
+pub(crate) use configuration::{QUATERNION_TOLERANCE, ROTATION_TOLERANCE, check};
 pub use coupling::Coupling;
 pub use dof_tree::DofTree;
 pub use error::{BuildError, Place};
@@ -28,8 +30,8 @@ pub(crate) use mechanism::{Block, COLUMNS, Deferred, EMPTY, Mechanism, Member, M
 pub use random::Random;
 
 use crate::error::InputError;
-use crate::scalar::{Real, Scalar};
-use crate::spatial::{RigidInertia, Vec3};
+use crate::scalar::Scalar;
+use crate::spatial::Vec3;
 
 /// Largest number of bodies a model may have.
 pub const MAX_BODIES: usize = 10_000_000;
@@ -100,70 +102,9 @@ impl<T: Scalar> Model<T> {
         &self.armature
     }
 
-    /// The same model with other armature, one number a DoF, zero or more (kg m², kg).
-    ///
-    /// Errors: [`InputError`] for a wrong length or a number that is negative or not finite.
-    pub fn with_armature(mut self, armature: Vec<T>) -> Result<Self, InputError>
-    where
-        T: Real,
-    {
-        self.check_v("armature", &armature)?;
-        if let Some(index) = armature.iter().position(|&a| a < T::ZERO) {
-            let value = armature[index].to_f64();
-            return Err(InputError::NotPositive { what: "armature", index, value });
-        }
-        self.armature = armature;
-        Ok(self)
-    }
-
-    /// The same model with another inertia of the body that a link is part of, about the link's origin on the link's axes.
-    ///
-    /// Errors: [`InputError`] for a link that is not there or does not move, or numbers that are not finite.
-    pub fn with_inertia(mut self, link: usize, inertia: RigidInertia<T>) -> Result<Self, InputError>
-    where
-        T: Real,
-    {
-        let found = self.links.get(link).and_then(LinkInfo::body);
-        let Some(body) = found else {
-            return Err(InputError::Length { what: "links", expected: self.links.len(), found: link });
-        };
-        let RigidInertia { m, h, I } = inertia.map(Real::to_f64);
-        let numbers = [m, h.x, h.y, h.z, I.xx, I.yy, I.zz, I.xy, I.xz, I.yz];
-        if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
-            return Err(InputError::NotFinite { what: "inertia", index });
-        }
-        self.bodies[body].I = self.links[link].link_from_body().transpose_rigid(inertia);
-        self.mechanism = Deferred::default();
-        Ok(self)
-    }
-
-    /// The same model with other limits of a joint of one coordinate (rad, m).
-    ///
-    /// Errors: [`InputError`] for a joint that is not there or has several coordinates, or limits that are no interval.
-    pub fn with_limits(mut self, joint: usize, limits: Option<(T, T)>) -> Result<Self, InputError>
-    where
-        T: Real,
-    {
-        let count = self.joints.len();
-        let Some(info) = self.joints.get_mut(joint).filter(|info| info.kind.nq() == 1) else {
-            return Err(InputError::Length { what: "joints", expected: count, found: joint });
-        };
-        if limits.is_some_and(|(l, u)| l.partial_cmp(&u).is_none_or(std::cmp::Ordering::is_gt)) {
-            return Err(InputError::NotFinite { what: "limits", index: joint });
-        }
-        info.limits = limits;
-        Ok(self)
-    }
-
     /// Gravity in the world's frame (m/s²).
     pub fn gravity(&self) -> Vec3<T> {
         self.gravity
-    }
-
-    /// The same model under another gravity.
-    pub fn with_gravity(mut self, gravity: Vec3<T>) -> Self {
-        self.gravity = gravity;
-        self
     }
 
     /// True if the root link moves freely: the first six DoFs are its own.

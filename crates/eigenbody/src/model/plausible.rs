@@ -34,26 +34,35 @@ pub(super) fn of_sizes<'a>(links: &[Sized], name: impl Fn(LinkId) -> &'a str) ->
     if let Some(density) = median_density(links).filter(|density| !DENSITIES.contains(density)) {
         findings.push(Finding::Units { density });
     } else {
-        for sized in links {
-            if let Some(radius) = sized.radius().filter(|&r| r > LARGEST_RADIUS) {
-                let link = sized.link;
-                findings.push(Finding::GyrationRadius { link, name: name(link).to_owned(), radius });
-            }
-        }
+        findings.extend(links.iter().filter_map(|sized| of_size(sized, &name)));
     }
     let sided: Vec<&Sized> = links.iter().filter(|l| may_have_side(name(l.link))).collect();
-    let by_name: HashMap<&str, &Sized> = sided.iter().map(|&l| (name(l.link), l)).collect();
-    for sized in sided {
-        let own = name(sized.link);
-        let other = twin(own).and_then(|twin| by_name.get_key_value(twin.as_str()));
-        if let Some((&twin, other)) = other
-            && differ(sized, other)
-        {
-            let (link, name, twin) = (sized.link, own.to_owned(), twin.to_owned());
-            findings.push(Finding::TwinDiffers { link, name, twin });
-        }
-    }
+    findings.extend(of_twins(&sided, name));
     findings
+}
+
+/// The finding on a link that is too wide.
+pub(super) fn of_size<'a>(sized: &Sized, name: impl Fn(LinkId) -> &'a str) -> Option<Finding> {
+    let (link, radius) = (sized.link, sized.radius().filter(|&r| r > LARGEST_RADIUS)?);
+    Some(Finding::GyrationRadius { link, name: name(link).to_owned(), radius })
+}
+
+/// Findings on left and right links that are not alike.
+pub(super) fn of_twins<'a>(sided: &[&Sized], name: impl Fn(LinkId) -> &'a str) -> Vec<Finding> {
+    let by_name: HashMap<&str, &Sized> = sided.iter().map(|&l| (name(l.link), l)).collect();
+    let finding = |sized: &&Sized| {
+        let (link, own) = (sized.link, name(sized.link));
+        let (&twin, other) = by_name.get_key_value(twin(own)?.as_str())?;
+        let (name, twin) = (own.to_owned(), twin.to_owned());
+        differ(sized, other).then_some(Finding::TwinDiffers { link, name, twin })
+    };
+    sided.iter().filter_map(finding).collect()
+}
+
+/// True for the names of a left and a right link that differ in nothing else, in either order.
+pub(super) fn are_twins(a: &str, b: &str) -> bool {
+    let left_right = |left: &str, right: &str| twin(left).is_some_and(|twin| twin == right);
+    may_have_side(a) && may_have_side(b) && (left_right(a, b) || left_right(b, a))
 }
 
 /// Median of mass over the cube of twice the radius of gyration; none for fewer than three links with mass.

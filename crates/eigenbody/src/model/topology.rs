@@ -14,6 +14,7 @@ pub(super) struct Node {
 ///
 /// With the largest last, a sweep from the end keeps at most log₂ N subtrees waiting.
 pub(super) fn pre_order<T>(robot: &ModelBuilder<T>) -> Result<Vec<Node>, BuildError> {
+    known_links(robot)?;
     unique_names(robot)?;
     let inbound = inbound_joints(robot)?;
     let root = single_root(robot, &inbound)?;
@@ -72,6 +73,18 @@ impl Children {
         }
         nodes
     }
+}
+
+/// A [`LinkId`] may be another builder's.
+fn known_links<T>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {
+    for (j, joint) in robot.joints.iter().enumerate() {
+        let mut ends = [joint.parent, joint.child].into_iter();
+        if let Some(link) = ends.find(|link| link.index() >= robot.links.len()) {
+            let (joint, name) = (JointId(j as u32), joint.name.clone());
+            return Err(BuildError::UnknownLink { joint, name, link, count: robot.links.len() });
+        }
+    }
+    Ok(())
 }
 
 fn unique_names<T>(robot: &ModelBuilder<T>) -> Result<(), BuildError> {

@@ -6,14 +6,13 @@
 //! ```
 //! The algorithms are the accurate ones of Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic
 //! building blocks of double-word arithmetic" (ACM TOMS 44, 2017): relative error at most 3u² for a sum, 5u² for a
-//! product and about 10u² for a quotient, u = 2⁻⁵³. The range is that of f64; products beyond 2⁹⁹⁶ lose their low part.
+//! product and about 10u² for a quotient, u = 2⁻⁵³. The range is that of f64: what is beyond is no finite number, and below 2⁻⁹⁶⁹
+//! low parts fade.
 
 use super::{Real, Scalar, Trig, only_itself};
 use std::cmp::Ordering;
 use std::fmt;
-use std::num::ParseFloatError;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
-use std::str::FromStr;
 
 /// A double-double number `hi + lo`, |lo| ≤ ulp(hi)/2. The oracle against which every error is measured.
 ///
@@ -51,15 +50,33 @@ fn split(a: f64) -> (f64, f64) {
     (hi, a - hi)
 }
 
+/// a · b − p for p = fl(a · b).
+#[inline(always)]
+fn low_part(a: f64, b: f64, p: f64) -> f64 {
+    let ((ah, al), (bh, bl)) = (split(a), split(b));
+    ((ah * bh - p) + ah * bl + al * bh) + al * bl
+}
+
+/// [`low_part`] with a factor beyond 2⁹⁹⁶, whose upper bits alone may be out of range: all of it by the 2⁵³rd part of that factor.
+#[cold]
+fn low_part_of_large(a: f64, b: f64, p: f64) -> f64 {
+    const UNIT: f64 = (1u64 << 53) as f64;
+    let (large, other) = if a.abs() > b.abs() { (a, b) } else { (b, a) };
+    low_part(large / UNIT, other, p / UNIT) * UNIT
+}
+
 #[inline(always)]
 fn two_prod(a: f64, b: f64) -> (f64, f64) {
+    const LARGE: f64 = f64::MAX / (1u64 << 28) as f64;
     let p = a * b;
-    if cfg!(target_feature = "fma") {
-        (p, a.mul_add(b, -p))
+    let e = if cfg!(target_feature = "fma") {
+        a.mul_add(b, -p)
+    } else if a.abs() > LARGE || b.abs() > LARGE {
+        low_part_of_large(a, b, p)
     } else {
-        let ((ah, al), (bh, bl)) = (split(a), split(b));
-        (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
-    }
+        low_part(a, b, p)
+    };
+    (p, e)
 }
 
 impl Dd {
@@ -93,8 +110,14 @@ impl Dd {
         power
     }
 
-    /// The positive n-th root of a positive number: the f64 root and two Newton steps.
+    /// The n-th root of a number that is not negative: the f64 root and two Newton steps. NaN of a negative number, and for n = 0.
     pub fn root(self, n: u32) -> Self {
+        if n == 0 || self < Self::ZERO {
+            return Self::from_f64(f64::NAN);
+        }
+        if self == Self::ZERO {
+            return Self::ZERO;
+        }
         let order = Self::from_f64(f64::from(n));
         let mut x = Self::from_f64(self.hi.powf(1.0 / f64::from(n)));
         for _ in 0..2 {
@@ -124,32 +147,6 @@ impl Dd {
 impl From<f64> for Dd {
     fn from(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
-    }
-}
-
-/// A decimal number, to the last digit that fits: `0.7` is seven tenths, not the nearest f64.
-impl FromStr for Dd {
-    type Err = ParseFloatError;
-    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
-        let nearest: f64 = text.parse()?;
-        let (digits, exponent) = match text.split_once(['e', 'E']) {
-            Some((digits, exponent)) => (digits, exponent.parse::<i32>().unwrap_or(i32::MAX)),
-            None => (text, 0),
-        };
-        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
-        let places = exponent.saturating_sub(fraction.len() as i32);
-        let length = whole.len() + fraction.len();
-        // Beyond what 10^k holds without rounding twice, and for inf and nan, the nearest f64 is all there is.
-        if places.unsigned_abs() > 250 || length > 60 || !nearest.is_finite() {
-            return Ok(nearest.into());
-        }
-        let mut value = Self::ZERO;
-        for digit in whole.bytes().chain(fraction.bytes()).filter(u8::is_ascii_digit) {
-            value = value * Self::from(10.0) + Self::from(f64::from(digit - b'0'));
-        }
-        let power = Self::from(10.0).powi(places.unsigned_abs());
-        let value = if places < 0 { value / power } else { value * power };
-        Ok(if text.starts_with('-') { -value } else { value })
     }
 }
 

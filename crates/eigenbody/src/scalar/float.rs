@@ -1,6 +1,5 @@
 //! f32 and f64 as scalars.
 
-use super::fused::Fused;
 use super::{Algorithm, Dd, MOST_LANES, Real, Scalar, Trig, Wide, only_itself};
 
 macro_rules! float {
@@ -88,7 +87,7 @@ macro_rules! float {
         impl Real for $T {
             #[inline]
             fn dispatch_one<A: Algorithm<Self>>(algorithm: A) -> A::Output {
-                super::simd::dispatch_fused::<Fused<$T>, _, _>(algorithm)
+                <$T as super::simd::Fusing>::dispatch_fused(algorithm)
             }
             const TRIG: Option<Trig<Self>> = Some($trig);
             const EPSILON: f64 = $T::EPSILON as f64;

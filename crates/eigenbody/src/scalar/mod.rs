@@ -7,8 +7,8 @@
 mod aligned;
 mod dd;
 mod dd_trig;
+mod decimal;
 mod float;
-mod fused;
 mod lanes;
 mod quad;
 #[allow(unsafe_code)] // audited: see the module's two promises

@@ -194,8 +194,7 @@ pub(super) fn quarters<S: Scalar>(n: S, s: S, c: S) -> (S, S) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::fused::Fused;
-    use crate::scalar::{Array, Batched, Dd, Unit, Wide, WideAlgorithm};
+    use crate::scalar::{Algorithm, Array, Batched, Dd, Unit, Wide, WideAlgorithm, dispatch_one};
 
     /// Angles up to the limit: evenly, near multiples of π/2, in between, and small.
     fn angles<T: Real>(limit: f64) -> Vec<T> {
@@ -223,6 +222,7 @@ mod tests {
     }
 
     /// The same angle in every column.
+    #[inline(always)]
     fn in_columns<S: Scalar<Constant = T>, T: Real>(
         angles: &[T],
         from: fn(T) -> S::Stored,
@@ -239,12 +239,23 @@ mod tests {
         both.collect()
     }
 
+    /// On fused numbers where this processor has them.
+    struct Columns<'a, T>(&'a [T]);
+
+    impl<T: Real> Algorithm<T> for Columns<'_, T> {
+        type Output = Vec<[T; 2]>;
+        #[inline(always)]
+        fn run<S: Scalar<Constant = T, Stored = T>>(self) -> Self::Output {
+            in_columns::<S, T>(self.0, |x| x, |x| x)
+        }
+    }
+
     #[test]
     fn sines_are_good_to_the_last_place() {
         let doubles = angles(800_000.0);
         for found in [
             in_columns::<f64, f64>(&doubles, |x| x, |x| x),
-            in_columns::<Fused<f64>, f64>(&doubles, |x| x, |x| x),
+            dispatch_one(Columns(&doubles)),
             in_columns::<Array<2>, f64>(&doubles, |x| Array([x; 2]), |x| x.0[1]),
             f64::dispatch_wide(Unit::Avx2, Sines(&doubles)),
             f64::dispatch_wide(Unit::Avx512, Sines(&doubles)),
@@ -255,7 +266,7 @@ mod tests {
         let singles = angles(3000.0);
         for found in [
             in_columns::<f32, f32>(&singles, |x| x, |x| x),
-            in_columns::<Fused<f32>, f32>(&singles, |x| x, |x| x),
+            dispatch_one(Columns(&singles)),
             f32::dispatch_wide(Unit::Avx2, Sines(&singles)),
             f32::dispatch_wide(Unit::Avx512, Sines(&singles)),
         ] {

@@ -133,6 +133,16 @@ impl<T: Scalar> Mat3<T> {
         Self::IDENTITY - K * (s * w) + K * K * s
     }
 
+    /// True if E Eᵀ is 1 to within `tolerance` in every entry, and E no reflection; false for a matrix with a NaN.
+    pub fn is_rotation(self, tolerance: f64) -> bool
+    where
+        T: Real,
+    {
+        let excess = self * self.transpose() - Self::IDENTITY;
+        let small = |row: Vec3<T>| row.to_array().into_iter().all(|x| x.to_f64().abs() <= tolerance);
+        [excess.x, excess.y, excess.z].into_iter().all(small) && self.x.dot(self.y.cross(self.z)) > T::ZERO
+    }
+
     /// The unit quaternion w, x, y, z whose [`rotation_quaternion`](Self::rotation_quaternion) this is, w ≥ 0.
     ///
     /// Method: the largest of the four components by a square root, the others by division (Shepperd 1978). Numerics: a few ε.

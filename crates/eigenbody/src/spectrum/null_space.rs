@@ -7,7 +7,9 @@
 //! ```
 //! Golub & Van Loan (2013), §5.4.2.
 
+use crate::error::InputError;
 use crate::matrix::Matrix;
+use crate::model::check;
 
 /// The null space of a matrix.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,17 +24,23 @@ pub struct NullSpace {
 ///
 /// Rows whose part outside the rows before them is shorter than `tolerance` times the longest row count as dependent. Cost
 /// O(m n rank + n² rank); allocates. Numerics: N is orthonormal to a few n ε, and ‖A N‖ is of order n ε ‖A‖ + tolerance ‖A‖.
+/// A is scaled by a power of two, so that no square overflows.
+///
+/// Errors: [`InputError::NotFinite`], at an entry counted row by row.
 ///
 /// ```
 /// use eigenbody::{Matrix, spectrum::null_space};
 /// let A = Matrix::from_fn(2, 3, |_, j| [1.0, 1.0, 0.0][j]);
-/// let found = null_space(&A, 1e-12);
+/// let found = null_space(&A, 1e-12)?;
 /// assert_eq!((found.rank, found.basis.cols()), (1, 2));
+/// # Ok::<(), eigenbody::InputError>(())
 /// ```
-pub fn null_space(A: &Matrix<f64>, tolerance: f64) -> NullSpace {
+pub fn null_space(A: &Matrix<f64>, tolerance: f64) -> Result<NullSpace, InputError> {
     let (m, n) = (A.rows(), A.cols());
+    check("A", A.as_slice(), m * n)?;
+    let unit = (-A.max_abs().log2().floor()).clamp(-1000.0, 1000.0).exp2();
     // The columns of Aᵀ.
-    let mut columns: Vec<Vec<f64>> = (0..m).map(|i| A.row(i).to_vec()).collect();
+    let mut columns: Vec<Vec<f64>> = (0..m).map(|i| A.row(i).iter().map(|a| a * unit).collect()).collect();
     let mut reflections: Vec<Vec<f64>> = Vec::new();
     let mut first = 0.0;
     while reflections.len() < n && !columns.is_empty() {
@@ -67,7 +75,7 @@ pub fn null_space(A: &Matrix<f64>, tolerance: f64) -> NullSpace {
         reflections.iter().rev().for_each(|u| reflect(u, &mut x));
         x.iter().enumerate().for_each(|(i, &x)| basis[(i, j)] = x);
     }
-    NullSpace { basis, rank }
+    Ok(NullSpace { basis, rank })
 }
 
 /// x − 2 u uᵀx.

@@ -5,9 +5,9 @@
 //! ```
 
 use crate::dynamics::{BASE, Reduction};
-use crate::error::Error;
+use crate::error::{Error, InputError};
 use crate::matrix::Matrix;
-use crate::model::Model;
+use crate::model::{Model, check};
 use crate::spectrum::eigenvalues;
 
 /// What a spring is part of.
@@ -49,12 +49,14 @@ pub struct Impedance {
 
 impl Impedance {
     /// One spring and one damper of its own for each degree of freedom, as actuators have them.
-    pub fn diagonal(stiffness: &[f64], damping: &[f64]) -> Self {
+    ///
+    /// Errors: [`InputError::Length`] if there are not as many dampers as springs, [`InputError::NotFinite`].
+    pub fn diagonal(stiffness: &[f64], damping: &[f64]) -> Result<Self, InputError> {
         let n = stiffness.len();
-        let of = |x: &[f64]| {
-            Matrix::from_fn(n, n, |i, j| if i == j { x.get(i).copied().unwrap_or(0.0) } else { 0.0 })
-        };
-        Self { stiffness: of(stiffness), damping: of(damping), joint_damping: Matrix::zeros(n, n) }
+        check("stiffness", stiffness, n)?;
+        check("damping", damping, n)?;
+        let of = |x: &[f64]| Matrix::from_fn(n, n, |i, j| if i == j { x[i] } else { 0.0 });
+        Ok(Self { stiffness: of(stiffness), damping: of(damping), joint_damping: Matrix::zeros(n, n) })
     }
 
     /// That of some springs on a model, mimic joints folded in and the base left out as the study has them.
@@ -63,16 +65,18 @@ impl Impedance {
     /// K = Σ k (Gᵀa)(Gᵀa)ᵀ
     /// ```
     /// A removed base is free: what pulls on it pulls on nothing, and its arms are passed over.
-    pub fn new(model: &Model<f64>, reduction: Reduction, springs: &[Spring]) -> Self {
+    ///
+    /// Errors: [`InputError::NoSuch`] for an arm on a degree of freedom that the model does not have; [`InputError::NotFinite`],
+    /// which tells the spring's position among `springs`.
+    pub fn new(model: &Model<f64>, reduction: Reduction, springs: &[Spring]) -> Result<Self, InputError> {
         let removed = if reduction.base && model.has_floating_base() { BASE } else { 0 };
         let n = reduction.dofs(model).len();
         let zero = || Matrix::zeros(n, n);
         let mut all = Self { stiffness: zero(), damping: zero(), joint_damping: zero() };
-        for spring in springs {
+        for (index, spring) in springs.iter().enumerate() {
+            spring.check(model.nv(), index)?;
             let mut a = vec![0.0; model.nv()];
-            for &(d, arm) in spring.arms.iter().filter(|(d, _)| *d < model.nv()) {
-                a[d] += arm;
-            }
+            spring.arms.iter().for_each(|&(d, arm)| a[d] += arm);
             if let Some(coupling) = model.coupling().filter(|_| reduction.mimic) {
                 a = coupling.pull_back(&a);
             }
@@ -83,7 +87,14 @@ impl Impedance {
                 add(&mut all.joint_damping, spring.damping, a);
             }
         }
-        all
+        Ok(all)
+    }
+
+    /// Refuses matrices that are not n × n, or have a number that is not finite.
+    pub(super) fn check(&self, n: usize) -> Result<(), InputError> {
+        square("stiffness", &self.stiffness, n)?;
+        square("damping", &self.damping, n)?;
+        square("damping of joints", &self.joint_damping, n)
     }
 
     /// Number of degrees of freedom.
@@ -114,6 +125,32 @@ impl Impedance {
     pub fn is_zero(&self) -> bool {
         self.stiffness.max_abs() == 0.0 && self.damping.max_abs() == 0.0
     }
+}
+
+impl Spring {
+    /// Refuses what does not fit a model of nv degrees of freedom; `index` is the spring's position among several.
+    pub fn check(&self, nv: usize, index: usize) -> Result<(), InputError> {
+        if let Some(&(d, _)) = self.arms.iter().find(|(d, _)| *d >= nv) {
+            return Err(InputError::NoSuch { what: "degree of freedom", index: d, count: nv });
+        }
+        let what = match () {
+            () if !self.stiffness.is_finite() => "stiffness of springs",
+            () if !self.damping.is_finite() => "damping of springs",
+            () if self.arms.iter().any(|(_, arm)| !arm.is_finite()) => "arms of springs",
+            () => return Ok(()),
+        };
+        Err(InputError::NotFinite { what, index })
+    }
+}
+
+/// Refuses a matrix that is not n × n, or has a number that is not finite.
+pub(super) fn square(what: &'static str, A: &Matrix<f64>, n: usize) -> Result<(), InputError> {
+    for found in [A.rows(), A.cols()] {
+        if found != n {
+            return Err(InputError::Length { what, expected: n, found });
+        }
+    }
+    check(what, A.as_slice(), n * n)
 }
 
 /// A += w a aᵀ.

@@ -28,6 +28,7 @@ mod impedance;
 mod integrator;
 mod rk4;
 
+use impedance::square;
 pub use impedance::{Impedance, Spring, SpringSource};
 pub use integrator::Integrator;
 pub use rk4::{IMAGINARY_LIMIT, REAL_LIMIT};
@@ -35,6 +36,7 @@ pub use rk4::{IMAGINARY_LIMIT, REAL_LIMIT};
 use crate::error::{Error, InputError, NotPositiveDefinite};
 use crate::factor::Cholesky;
 use crate::matrix::Matrix;
+use crate::model::check;
 
 /// The largest stable step in one configuration, and the motion that sets it.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,15 +57,15 @@ pub struct StepLimit {
 /// Method: see the [module](self); Cholesky factors and inverse iteration, about 5 n³; for Runge-Kutta all 2n eigenvalues by the QR
 /// algorithm, about 100 n³. Allocates. Numerics: relative error of a few n·ε·κ′(H), from below.
 ///
-/// Errors: [`InputError::Length`], [`NotPositiveDefinite`] where H is singular to working precision,
-/// [`Error::NoConvergence`].
+/// Errors: [`InputError::Length`] or [`InputError::NotFinite`] for any of the matrices, [`NotPositiveDefinite`] where H is singular
+/// to working precision, [`Error::NoConvergence`].
 ///
 /// ```
 /// use eigenbody::Matrix;
 /// use eigenbody::stability::{Impedance, Integrator, largest_step};
 /// // 2 kg on a spring of 50 N/m: ω = 5 rad/s.
 /// let H = Matrix::from_fn(1, 1, |_, _| 2.0);
-/// let spring = Impedance::diagonal(&[50.0], &[0.0]);
+/// let spring = Impedance::diagonal(&[50.0], &[0.0])?;
 /// let limit = largest_step(&H, &spring, Integrator::SemiImplicitEuler)?;
 /// assert!((limit.step - 2.0 / 5.0).abs() < 1e-9);
 /// # Ok::<(), eigenbody::Error>(())
@@ -73,10 +75,8 @@ pub fn largest_step(
     impedance: &Impedance,
     integrator: Integrator,
 ) -> Result<StepLimit, Error> {
-    let expected = H.rows();
-    if impedance.len() != expected {
-        return Err(InputError::Length { what: "impedance", expected, found: impedance.len() }.into());
-    }
+    square("H", H, H.rows())?;
+    impedance.check(H.rows())?;
     resolved(H)?;
     match integrator.implicit_part(impedance) {
         Some(implicit) => euler::largest_step(H, impedance, &implicit),
@@ -99,9 +99,30 @@ fn resolved(H: &Matrix<f64>) -> Result<(), Error> {
     }
 }
 
-/// Whether a step is surely stable at H: a Cholesky factorisation, n³/3. Always false for [`Integrator::RungeKutta4`].
-pub fn is_stable(H: &Matrix<f64>, impedance: &Impedance, integrator: Integrator, step: f64) -> bool {
-    integrator
-        .implicit_part(impedance)
-        .is_some_and(|implicit| euler::is_stable(H, impedance, &implicit, step))
+/// Whether a step (s) is surely stable at H; false where H is singular.
+///
+/// Cost: a Cholesky factorisation, n³/3; for [`Integrator::RungeKutta4`] that of [`largest_step`], which the step is compared with.
+///
+/// Errors: [`InputError::Length`] or [`InputError::NotFinite`] for any of the arguments, [`InputError::NotPositive`] for the step,
+/// [`Error::NoConvergence`].
+pub fn is_stable(
+    H: &Matrix<f64>,
+    impedance: &Impedance,
+    integrator: Integrator,
+    step: f64,
+) -> Result<bool, Error> {
+    square("H", H, H.rows())?;
+    impedance.check(H.rows())?;
+    check("step", &[step], 1)?;
+    if step <= 0.0 {
+        return Err(InputError::NotPositive { what: "step", index: 0, value: step }.into());
+    }
+    let Some(implicit) = integrator.implicit_part(impedance) else {
+        return match largest_step(H, impedance, integrator) {
+            Ok(limit) => Ok(step <= limit.step),
+            Err(Error::NotPositiveDefinite(_)) => Ok(false),
+            Err(error) => Err(error),
+        };
+    };
+    Ok(euler::is_stable(H, impedance, &implicit, step))
 }

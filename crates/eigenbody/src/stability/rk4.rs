@@ -52,7 +52,7 @@ pub(super) fn largest_step(H: &Matrix<f64>, impedance: &Impedance) -> Result<Ste
     let roots = eigenvalues(A)?;
     let largest = roots.iter().fold(0.0f64, |m, (re, im)| re.hypot(*im).max(m));
     let mut worst = (f64::INFINITY, (0.0, 0.0));
-    // The region's edge is 2.6 to 3.1 from the origin: roots of half the size cannot set the step. None has a real part above zero
+    // The region's edge is 2.59 to 3.3 from the origin: roots of half the size cannot set the step. None has a real part above zero
     // but by rounding.
     for (re, im) in roots.into_iter().filter(|(re, im)| re.hypot(*im) > 0.5 * largest) {
         let h = reach(re.min(0.0), im);

@@ -6,7 +6,7 @@ use eigenbody::dynamics::{Anchor, Closure, Tie, closure_jacobian, closure_residu
 use eigenbody::model::Random;
 use eigenbody::spatial::{Mat3, Transform, Vec3};
 use eigenbody::spectrum::null_space;
-use eigenbody::{Base, Error, Family, Matrix, Metric, Model, Question, Reduction, mass_matrix};
+use eigenbody::{Base, Error, Family, InputError, Matrix, Metric, Model, Question, Reduction, mass_matrix};
 
 /// A chain whose last link is pinned to a point of the world.
 fn pinned(links: usize, at: Vec3<f64>, tie: Tie) -> (Model<f64>, Closure) {
@@ -154,7 +154,7 @@ fn null_spaces_are_orthonormal() {
         let entries = numbers::<f64>(m * n, seed);
         // Every third row repeats the first.
         let A = Matrix::from_fn(m, n, |i, j| entries[if i % 3 == 2 { 0 } else { i } * n + j]);
-        let found = null_space(&A, 1e-12);
+        let found = null_space(&A, 1e-12).unwrap();
         let N = &found.basis;
         assert_eq!(found.rank, (m - m / 3).min(n));
         assert_eq!((N.rows(), N.cols()), (n, n - found.rank));
@@ -178,4 +178,114 @@ fn loops_out_of_reach_are_an_error() {
         matches!(&error, Error::Open { closure, after, .. } if closure == "tip" && *after > 0.4),
         "{error}"
     );
+}
+
+#[test]
+fn anchors_are_frames() {
+    for E in [Mat3::IDENTITY * 2.0, Mat3::from_rows(Vec3::X, Vec3::Y, -Vec3::Z), Mat3::IDENTITY * f64::NAN] {
+        for k in 0..2 {
+            let (model, mut tip) = pinned(2, Vec3::X, Tie::Weld);
+            tip.anchors[k].pose.E = E;
+            let refused = InputError::NotARotation { closure: "tip".into() };
+            let closures = [tip];
+            assert_eq!(closure_residual(&model, &[0.1, 0.2], &closures), Err(refused.clone()));
+            assert_eq!(closure_jacobian(&model, &[0.1, 0.2], &closures), Err(refused));
+        }
+    }
+    let (model, tip) = pinned(2, Vec3::new(0.0, f64::NAN, 0.0), Tie::Ball);
+    let refused = InputError::NotFinite { what: "origin of an anchor", index: 1 };
+    assert_eq!(closure_residual(&model, &[0.1, 0.2], &[tip]), Err(refused));
+}
+
+/// A weld that is off by nearly half a turn says so to rounding: the angle is π − δ about the axis, whatever δ.
+#[test]
+fn welds_near_half_a_turn() {
+    use std::f64::consts::PI;
+    let axis = Vec3::new(0.48, -0.6, 0.64);
+    for k in 0..18 {
+        let angle = PI - 10f64.powi(-k);
+        let (model, mut weld) = pinned(1, Vec3::ZERO, Tie::Weld);
+        weld.anchors[0].link = Some(0);
+        weld.anchors[0].pose = Transform::IDENTITY;
+        weld.anchors[1] = Anchor {
+            link: Some(0),
+            pose: Transform::new(Mat3::rotation_about(axis, angle.sin_cos()), Vec3::ZERO),
+        };
+        let found = closure_residual(&model, &[0.0], &[weld]).unwrap();
+        let sign = (found[4] * axis.y).signum();
+        let expected = (axis * (angle * sign)).to_array();
+        for (found, expected) in found[3..].iter().zip(expected) {
+            // 10 ε of the half turn: entries of the rotation, and the root of their sum
+            assert!((found - expected).abs() < 10.0 * f64::EPSILON * PI, "{k}: {found} {expected}");
+        }
+        // At half a turn both ways round are the same.
+        assert!(sign > 0.0 || k > 14, "{k}");
+    }
+}
+
+#[test]
+fn links_and_axes_of_loops_are_checked() {
+    let (model, tip) = pinned(2, Vec3::X, Tie::Ball);
+    let q = [0.1, 0.2];
+    for k in 0..2 {
+        let mut far = tip.clone();
+        far.anchors[k].link = Some(3);
+        let refused = InputError::NoSuch { what: "link", index: 3, count: 3 };
+        assert_eq!(closure_residual(&model, &q, &[far.clone()]), Err(refused.clone()));
+        assert_eq!(closure_jacobian(&model, &q, &[far]), Err(refused));
+    }
+    let long = Vec3::new(0.0, 0.0, 2.0);
+    for (tie, length) in [
+        (Tie::Hinge(Vec3::ZERO), 0.0),
+        (Tie::Slide(long), 2.0),
+        (Tie::Universal { first: long, second: Vec3::Z }, 2.0),
+        (Tie::Universal { first: Vec3::Z, second: Vec3::ZERO }, 0.0),
+    ] {
+        let refused = InputError::NotAUnitVector { closure: "tip".into(), length };
+        let closures = [Closure { tie, ..tip.clone() }];
+        assert_eq!(closure_residual(&model, &q, &closures), Err(refused.clone()));
+        assert_eq!(closure_jacobian(&model, &q, &closures), Err(refused));
+    }
+    let nan = Closure { tie: Tie::Hinge(Vec3::new(f64::NAN, 0.0, 0.0)), ..tip };
+    let refused = closure_residual(&model, &q, &[nan]);
+    assert!(matches!(refused, Err(InputError::NotAUnitVector { .. })), "{refused:?}");
+}
+
+/// A loop a hundred kilometres from the origin closes as far as numbers there go.
+#[test]
+fn far_loops_close() {
+    let there = Vec3::new(1e5, -3e4, 0.0);
+    let mut robot = eigenbody::ModelBuilder::<f64>::new("far");
+    let solid = eigenbody::spatial::RigidInertia::from_com(
+        1.0,
+        Vec3::X,
+        eigenbody::spatial::Sym3::diagonal(0.1, 0.1, 0.1),
+    );
+    let mut last = robot.link("base", solid);
+    for j in 0..3 {
+        let link = robot.link(format!("link {j}"), solid);
+        let joint = eigenbody::model::JointSpec::new(format!("{j}"), eigenbody::Joint::Revolute, last, link);
+        robot.joint(joint.at(Transform::translation(if j == 0 { there } else { Vec3::X })));
+        last = link;
+    }
+    let model = robot.build(Base::Fixed).unwrap();
+    let tip = Anchor { link: Some(3), pose: Transform::translation(Vec3::X) };
+    let world = Anchor { link: None, pose: Transform::translation(there + Vec3::new(1.7, 0.0, 0.0)) };
+    let pin = Closure { name: "pin".into(), tie: Tie::Hinge(Vec3::Z), anchors: [world, tip] };
+    let closed = close_loops(&model, &[1.2, -0.9, -1.0], &[pin], Reduction::default()).unwrap();
+    // 1e-11 of the distance, 1.05e5 m
+    assert!(closed.before > 1e-3 && closed.after <= 1.1e-6, "{closed:?}");
+}
+
+#[test]
+fn null_spaces_of_no_numbers_and_of_large_ones() {
+    for bad in [f64::NAN, f64::INFINITY] {
+        let A = Matrix::from_fn(2, 3, |i, j| if (i, j) == (1, 0) { bad } else { 1.0 });
+        assert_eq!(null_space(&A, 1e-12), Err(InputError::NotFinite { what: "A", index: 3 }));
+    }
+    let of = |unit: f64| null_space(&Matrix::from_fn(2, 3, |i, j| unit * f64::from((i + j) as u8)), 1e-12);
+    for power in [-1060, -600, 600, 1020] {
+        assert_eq!(of(f64::from(power).exp2()), of(1.0), "{power}");
+    }
+    assert_eq!(of(0.0).unwrap().rank, 0);
 }

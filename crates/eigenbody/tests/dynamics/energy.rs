@@ -1,6 +1,6 @@
 use super::{largest, rate, rate_error};
 use crate::robots::cases;
-use eigenbody::dynamics::energy;
+use eigenbody::dynamics::{energy, energy_shares};
 use eigenbody::scalar::{Dd, Real, Scalar};
 use eigenbody::{inverse_dynamics, mass_matrix};
 
@@ -38,5 +38,19 @@ fn power_is_the_rate_of_energy() {
         let size = now.kinetic.to_f64() + now.potential.to_f64().abs() + largest(&tau);
         let tolerance = rate_error(case.nv(), size);
         assert!((found - power).abs() <= tolerance, "{}: {found} {power} {tolerance:e}", case.name);
+    }
+}
+
+/// Nothing has a part in no energy.
+#[test]
+fn shares_of_a_motion_without_energy() {
+    for case in cases::<f64>(10) {
+        let shares = energy_shares(&case.model, &case.q, &vec![0.0; case.nv()]).unwrap();
+        assert!(shares.bodies.iter().chain(&shares.armature).all(|&part| part == 0.0), "{shares:?}");
+        let moving = energy_shares(&case.model, &case.q, &case.v).unwrap();
+        let sum: f64 = moving.bodies.iter().chain(&moving.armature).sum();
+        // N + nv sums and divisions
+        let terms = (moving.bodies.len() + case.nv()) as f64;
+        assert!(case.nv() == 0 || (sum - 1.0).abs() <= terms * f64::EPSILON, "{}: {sum}", case.name);
     }
 }

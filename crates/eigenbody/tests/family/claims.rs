@@ -28,7 +28,7 @@ fn assert_near(found: &[f64], expected: &[f64], absolute: f64, relative: f64) {
 
 /// The example of F equation 1: hydra(8,1,0,1) at zag(π/2), at rest, without gravity.
 fn equation_1() -> (Model<f64>, Vec<f64>) {
-    let model = hydra(8, 1.0).model::<f64>().unwrap().with_gravity(Vec3::ZERO);
+    let model = hydra(8, 1.0).model::<f64>().unwrap().with_gravity(Vec3::ZERO).unwrap();
     let q = Posture::Zag(FRAC_PI_2).configuration(&model);
     (model, q)
 }
@@ -132,7 +132,7 @@ fn f_fig18_extreme() {
 fn rods() -> Model<f64> {
     let model = Family::slender_chain(4, 2.20698, 1.0).unwrap().model::<f64>().unwrap();
     let (s, c) = 30f64.to_radians().sin_cos();
-    model.with_gravity(Vec3::new(c, -s, 0.0) * 9.81)
+    model.with_gravity(Vec3::new(c, -s, 0.0) * 9.81).unwrap()
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn s_eq8() {
 /// Forces rounded to three figures change the accelerations by 7, 14, 42 and 55 %.
 #[test]
 fn s_eq9() {
-    let still = rods().with_gravity(Vec3::ZERO);
+    let still = rods().with_gravity(Vec3::ZERO).unwrap();
     let rounded = [-86.0, -48.7, -21.6, -5.4];
     let vdot = forward_dynamics(&still, &[0.0; 4], &[0.0; 4], &rounded).unwrap();
     assert_near(&vdot, &[-5.7477, 6.7586, -1.2128, 0.2696], 0.0, 5e-3);

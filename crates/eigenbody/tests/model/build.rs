@@ -2,7 +2,7 @@
 
 use eigenbody::model::{JointId, JointSpec, LinkId, MimicSpec, Place};
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Transform, Vec3};
-use eigenbody::{Base, BuildError, Joint, Model, ModelBuilder};
+use eigenbody::{Base, BuildError, InputError, Joint, Model, ModelBuilder};
 
 type Robot = ModelBuilder<f64>;
 type Spec = JointSpec<f64>;
@@ -223,4 +223,43 @@ fn description_can_be_read_back() {
     let links: Vec<_> = model.links().iter().map(|link| (link.name(), link.body())).collect();
     assert_eq!(links, [("a", None), ("b", Some(0)), ("c", Some(1))]);
     assert_eq!(model.bodies()[1].parent(), Some(0));
+}
+
+/// Twice a rotation would give numbers of a robot twice as large, and no error.
+#[test]
+fn orientations_are_rotations() {
+    let message = "joint 'j2' has an orientation that is no rotation";
+    let twice = Mat3::IDENTITY * 2.0;
+    let mirror = Mat3::from_rows(Vec3::X, Vec3::Y, -Vec3::Z);
+    let sheared = Mat3::from_rows(Vec3::X, Vec3::new(2e-6, 1.0, 0.0), Vec3::Z);
+    for E in [twice, mirror, sheared, Mat3::ZERO] {
+        assert_joint(with(|j| j.placement = Transform::new(E, Vec3::ZERO)), 1, message);
+    }
+    let rounded = Mat3::rotation_rpy(0.3, -1.1, 2.0) * (1.0 + 4e-7);
+    assert!(with(|j| j.placement = Transform::new(rounded, Vec3::ZERO)).is_ok());
+}
+
+#[test]
+fn gravity_is_finite() {
+    for gravity in [Vec3::new(0.0, 0.0, f64::NAN), Vec3::new(f64::INFINITY, 0.0, 0.0)] {
+        let mut robot = Robot::new("test");
+        robot.link("a", ball());
+        robot.gravity(gravity);
+        let error = robot.build(Base::Fixed).unwrap_err();
+        assert_eq!((error.clone(), error.place()), (BuildError::GravityNotFinite, Place::Model));
+    }
+    let model = with(|_| ()).unwrap();
+    let refused = InputError::NotFinite { what: "gravity", index: 2 };
+    assert_eq!(model.with_gravity(Vec3::new(0.0, 0.0, f64::NAN)), Err(refused));
+}
+
+/// A link's number from another description, in which there are more.
+#[test]
+fn links_of_another_builder() {
+    let mut other = Robot::new("other");
+    links(&mut other);
+    let far = other.link("d", ball());
+    let message = "joint 'j2' is on link number 3, counted from 0, and there are 3";
+    assert_joint(with(|j| j.parent = far), 1, message);
+    assert_joint(with(|j| j.child = far), 1, message);
 }

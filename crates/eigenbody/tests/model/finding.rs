@@ -135,3 +135,30 @@ fn twins_that_differ() {
     let Place::Link(link) = model.findings()[0].place() else { panic!("{model:?}") };
     assert_eq!(link.index(), 1);
 }
+
+/// A model with another inertia has the findings of that one, as if it had been built with it.
+#[test]
+fn findings_follow_a_changed_inertia() {
+    let names = ["left_leg", "right_leg", "l_arm", "r_arm"];
+    let model = balls(&names, &[1.0, 1.1, 2.0, 2.0], 0.1);
+    let ball = |m: f64, r: f64| {
+        RigidInertia::from_com(m, Vec3::ZERO, Sym3::diagonal(m * r * r, m * r * r, m * r * r))
+    };
+    let with = |link: usize, inertia| messages(&model.clone().with_inertia(link, inertia).unwrap());
+    let legs = "links 'left_leg' and 'right_leg' have different masses or moments of inertia";
+    let arms = "links 'l_arm' and 'r_arm' have different masses or moments of inertia";
+    assert_eq!(with(1, ball(1.1, 0.1)), Vec::<String>::new());
+    assert_eq!(with(2, ball(1.0, 0.1)), Vec::<String>::new());
+    assert_eq!(with(2, ball(1.2, 0.1)), [legs]);
+    assert_eq!(with(4, ball(3.0, 0.1)), [legs, arms]);
+    let wide = "mass of link 'right_leg' is spread over 3.000e1 m (radius of gyration)";
+    assert_eq!(with(2, ball(1.1, 30.0)), [wide, legs]);
+    let massless = model.clone().with_inertia(3, RigidInertia::ZERO).unwrap();
+    assert_eq!(messages(&massless), [legs, "moving link 'l_arm' has no mass"]);
+    assert_eq!(messages(&massless.with_inertia(3, ball(2.0, 0.1)).unwrap()), [legs]);
+
+    let tip = with_inertia(box_of(2.0, 0.1, 0.4, 0.2)).with_inertia(1, box_of(2.0, 0.1, 0.2, 0.2)).unwrap();
+    assert_eq!(messages(&tip), Vec::<String>::new());
+    let flat = tip.with_inertia(1, box_of(2.0, 0.1, 0.4, 0.2)).unwrap();
+    assert_eq!(messages(&flat), messages(&with_inertia(box_of(2.0, 0.1, 0.4, 0.2))));
+}

@@ -113,3 +113,74 @@ fn order_looks_at_both_parts() {
     assert_eq!(Dd::ZERO.sqrt(), Dd::ZERO);
     assert_eq!(Dd::from_f64(2.0).mul_add(Dd::from_f64(3.0), one), Dd::from_f64(7.0));
 }
+
+/// Up to the end of the range, with and without a fused instruction: a product that is a number has both its parts.
+#[test]
+fn large_products_are_exact() {
+    let exact = |x: f64, y: f64, hi: f64, lo: f64| {
+        for product in [Dd::from_product(x, y), Dd::from_product(y, x), Dd::from(x) * Dd::from(y)] {
+            assert_eq!((product.hi(), product.lo()), (hi, lo), "{x:e} {y:e}");
+        }
+    };
+    for x in [1e301, -1.7e308, f64::MAX, 2f64.powi(996), 2f64.powi(1023)] {
+        exact(x, 1.0, x, 0.0);
+        exact(x, 2f64.powi(-1000), x * 2f64.powi(-1000), 0.0);
+        assert_eq!(Dd::from(x) / Dd::from(x), Dd::ONE);
+    }
+    // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰, times 2¹⁰⁰⁰.
+    let x = 1.0 + 2f64.powi(-30);
+    let large = 2f64.powi(1000);
+    exact(x * large, x, (1.0 + 2f64.powi(-29)) * large, 2f64.powi(940));
+    exact(
+        x * large * 2f64.powi(20),
+        x * 2f64.powi(-40),
+        (1.0 + 2f64.powi(-29)) * 2f64.powi(980),
+        2f64.powi(920),
+    );
+    assert!(!(Dd::from(1e301) * Dd::from(1e10)).is_finite());
+}
+
+#[test]
+fn roots_at_the_edges() {
+    for n in [1, 2, 7] {
+        assert_eq!(Dd::ZERO.root(n), Dd::ZERO);
+        assert!(!Dd::from(-1.0).root(n).is_finite());
+    }
+    for x in [0.0, 1.0, 2.0] {
+        assert!(!Dd::from(x).root(0).is_finite());
+    }
+    assert_eq!(Dd::from(3.0).root(1), Dd::from(3.0));
+}
+
+/// The nearest f64, and the nearest f64 to the rest, by another language's integers.
+#[test]
+fn decimals_are_read_to_the_last_digit() {
+    #[rustfmt::skip]
+    let decimals = [
+        ("0.7", 0.7, 4.4408920985006264e-17),
+        ("1e60", 1e60, 5.061286470292598e+43),
+        ("1e45", 1e45, 7.024271097546445e+28),
+        ("-1.2345678901234567890123456789e200", -1.2345678901234567e+200, -3.920311958505049e+183),
+        ("7e-290", 7e-290, 3.70533281469387e-306),
+        (".314159265358979323846264338327950288419716939937510582097494459230781640628620899862803E1",
+            std::f64::consts::PI, 1.2246467991473532e-16),
+        ("123456789012345678901234567890123456789012345678901234567890",
+            1.2345678901234567e+59, 8.544914961406212e+42),
+        ("+1.e+308", 1e308, -1.0979063629440455e+291),
+        ("2.5e-320", 2.5e-320, 0.0),
+        ("9007199254740993", 9007199254740992.0, 1.0),
+        ("0001e23", 1e23, 8388608.0),
+        ("-0.5", -0.5, 0.0),
+        ("0e999999999999", 0.0, 0.0),
+        ("1e-999999999999", 0.0, 0.0),
+    ];
+    for (text, hi, lo) in decimals {
+        let found: Dd = text.parse().unwrap();
+        assert_eq!((found.hi(), found.lo()), (hi, lo), "{text}");
+    }
+    assert_eq!("-inf".parse::<Dd>().unwrap().hi(), f64::NEG_INFINITY);
+    assert!("nan".parse::<Dd>().unwrap().hi().is_nan());
+    for bad in ["", "-", "1e", "1.2.3", "0x10"] {
+        assert!(bad.parse::<Dd>().is_err(), "{bad}");
+    }
+}

@@ -38,7 +38,7 @@ impl System {
 
     /// H with all its DoFs.
     pub fn full_matrix(&self) -> Matrix<Dd> {
-        let model = self.model.cast::<Dd>().with_gravity(Vec3::ZERO);
+        let model = self.model.cast::<Dd>().with_gravity(Vec3::ZERO).unwrap();
         let (n, q) = (model.nv(), self.wide_q());
         let mut unit = vec![Dd::ZERO; n];
         let mut H = Matrix::zeros(n, n);

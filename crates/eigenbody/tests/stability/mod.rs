@@ -2,9 +2,9 @@
 
 use eigenbody::model::Random;
 use eigenbody::stability::{
-    IMAGINARY_LIMIT, Impedance, Integrator, REAL_LIMIT, Spring, SpringSource, largest_step,
+    IMAGINARY_LIMIT, Impedance, Integrator, REAL_LIMIT, Spring, SpringSource, is_stable, largest_step,
 };
-use eigenbody::{Base, Family, Joint, Matrix, ModelBuilder, Reduction, mass_matrix};
+use eigenbody::{Base, Error, Family, InputError, Joint, Matrix, ModelBuilder, Reduction, mass_matrix};
 use nalgebra::DMatrix;
 
 /// A Aᵀ with some rank, spread over some decades.
@@ -127,8 +127,8 @@ fn two_pencils_bracket_the_step() {
 #[test]
 fn one_spring_or_one_damper_alone() {
     let H = Matrix::from_fn(1, 1, |_, _| 2.0);
-    let spring = Impedance::diagonal(&[50.0], &[0.0]);
-    let damper = Impedance::diagonal(&[0.0], &[8.0]);
+    let spring = Impedance::diagonal(&[50.0], &[0.0]).unwrap();
+    let damper = Impedance::diagonal(&[0.0], &[8.0]).unwrap();
     let step = |impedance: &Impedance, integrator| largest_step(&H, impedance, integrator).unwrap().step;
     // ω = 5/s, d = 4/s.
     for (integrator, of_spring, of_damper) in [
@@ -161,7 +161,7 @@ fn springs_become_matrices() {
         stiffness: 0.0,
         damping: 7.0,
     };
-    let all = Impedance::new(&arm, Reduction::default(), &[tendon, own]);
+    let all = Impedance::new(&arm, Reduction::default(), &[tendon, own]).unwrap();
     assert_eq!(all.stiffness.as_slice(), [3.0, -6.0, -6.0, 12.0]);
     assert_eq!(all.damping.as_slice(), [0.5, -1.0, -1.0, 9.0]);
     assert_eq!(all.joint_damping.as_slice(), [0.0, 0.0, 0.0, 7.0]);
@@ -172,7 +172,7 @@ fn springs_become_matrices() {
 
 #[test]
 fn a_spring_that_pushes_is_not_passive() {
-    assert!(!Impedance::diagonal(&[1.0, -1.0], &[0.0; 2]).is_passive().unwrap());
+    assert!(!Impedance::diagonal(&[1.0, -1.0], &[0.0; 2]).unwrap().is_passive().unwrap());
 }
 
 #[test]
@@ -194,5 +194,84 @@ fn a_follower_is_felt_by_its_leader() {
         damping: 0.0,
     };
     let reduction = Reduction { mimic: true, base: false };
-    assert_eq!(Impedance::new(&pair, reduction, &[spring]).stiffness.as_slice(), [18.0]);
+    assert_eq!(Impedance::new(&pair, reduction, &[spring]).unwrap().stiffness.as_slice(), [18.0]);
+}
+
+/// 1e-3 to each side of the limit, as above.
+#[test]
+fn a_step_is_called_stable_up_to_the_limit() {
+    for seed in 0..50 {
+        let (H, impedance) = system(seed);
+        for integrator in Integrator::ALL {
+            let limit = largest_step(&H, &impedance, integrator).unwrap().step;
+            let stable = |step| is_stable(&H, &impedance, integrator, step).unwrap();
+            if limit.is_finite() {
+                assert!(stable(0.999 * limit) && !stable(1.001 * limit), "{seed} {integrator:?}");
+            }
+        }
+    }
+    // Nothing is sure where H is singular.
+    let (H, spring) = (Matrix::zeros(1, 1), Impedance::diagonal(&[1.0], &[0.0]).unwrap());
+    for integrator in Integrator::ALL {
+        assert_eq!(is_stable(&H, &spring, integrator, 1e-3), Ok(false));
+    }
+}
+
+#[test]
+fn matrices_that_do_not_fit_are_refused() {
+    let H = Matrix::from_fn(2, 2, |i, j| if i == j { 1.0 } else { 0.0 });
+    let good = Impedance::diagonal(&[1.0, 2.0], &[0.1, 0.2]).unwrap();
+    let (nan, wide) = (Matrix::from_fn(2, 2, |i, _| [1.0, f64::NAN][i]), Matrix::zeros(2, 3));
+    let refused =
+        |what| [InputError::NotFinite { what, index: 2 }, InputError::Length { what, expected: 2, found: 3 }];
+    let mut cases = Vec::new();
+    for (k, bad) in [nan, wide].into_iter().enumerate() {
+        let stiffness = Impedance { stiffness: bad.clone(), ..good.clone() };
+        let damping = Impedance { damping: bad.clone(), ..good.clone() };
+        let joints = Impedance { joint_damping: bad.clone(), ..good.clone() };
+        cases.push((H.clone(), stiffness, refused("stiffness")[k].clone()));
+        cases.push((H.clone(), damping, refused("damping")[k].clone()));
+        cases.push((H.clone(), joints, refused("damping of joints")[k].clone()));
+        cases.push((bad, good.clone(), refused("H")[k].clone()));
+    }
+    for (H, impedance, refused) in cases {
+        for integrator in Integrator::ALL {
+            let refused = Error::Input(refused.clone());
+            assert_eq!(largest_step(&H, &impedance, integrator), Err(refused.clone()));
+            assert_eq!(is_stable(&H, &impedance, integrator, 0.1), Err(refused));
+        }
+    }
+    for (step, refused) in [
+        (f64::NAN, InputError::NotFinite { what: "step", index: 0 }),
+        (f64::INFINITY, InputError::NotFinite { what: "step", index: 0 }),
+        (0.0, InputError::NotPositive { what: "step", index: 0, value: 0.0 }),
+        (-1.0, InputError::NotPositive { what: "step", index: 0, value: -1.0 }),
+    ] {
+        assert_eq!(is_stable(&H, &good, Integrator::RungeKutta4, step), Err(Error::Input(refused)));
+    }
+}
+
+#[test]
+fn springs_that_do_not_fit_are_refused() {
+    let length = |found| Err(InputError::Length { what: "damping", expected: 2, found });
+    assert_eq!(Impedance::diagonal(&[1.0, 2.0], &[0.0]), length(1));
+    assert_eq!(Impedance::diagonal(&[1.0, 2.0], &[0.0; 3]), length(3));
+    let nan = InputError::NotFinite { what: "stiffness", index: 1 };
+    assert_eq!(Impedance::diagonal(&[1.0, f64::NAN], &[0.0; 2]), Err(nan));
+
+    let arm = Family::hydra(2, 1.0, 0.0, 1.0).unwrap().model::<f64>().unwrap();
+    let spring = |d: usize, a: f64, stiffness: f64, damping: f64| {
+        let (name, source) = ("s".into(), SpringSource::Joint);
+        Spring { name, source, arms: vec![(d, a)], stiffness, damping }
+    };
+    let of = |second| Impedance::new(&arm, Reduction::default(), &[spring(0, 1.0, 1.0, 1.0), second]);
+    assert_eq!(
+        of(spring(2, 1.0, 1.0, 0.0)),
+        Err(InputError::NoSuch { what: "degree of freedom", index: 2, count: 2 })
+    );
+    let refused = |what| Err(InputError::NotFinite { what, index: 1 });
+    assert_eq!(of(spring(1, f64::NAN, 1.0, 0.0)), refused("arms of springs"));
+    assert_eq!(of(spring(1, 1.0, f64::INFINITY, 0.0)), refused("stiffness of springs"));
+    assert_eq!(of(spring(1, 1.0, 1.0, f64::NAN)), refused("damping of springs"));
+    assert!(of(spring(1, 1.0, 1.0, 0.0)).is_ok());
 }

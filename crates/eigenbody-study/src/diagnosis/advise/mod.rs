@@ -153,7 +153,7 @@ impl Remedies {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn least_armature(model: &Model<f64>, wish: &Wish<'_>) -> Result<Option<Advice>, StudyError> {
-    let judge = Judge::new(model, wish);
+    let judge = Judge::new(model, wish)?;
     let remedy = Remedy::armature(model, &judge)?;
     let Some(found) = least(model, &judge, &remedy)? else { return Ok(None) };
     let rows = wish.reduction.dofs(model);
@@ -190,7 +190,7 @@ pub fn least_armature(model: &Model<f64>, wish: &Wish<'_>) -> Result<Option<Advi
 ///
 /// Errors: [`StudyError`] if the study does not fit the model.
 pub fn remedies(model: &Model<f64>, wish: &Wish<'_>) -> Result<Remedies, StudyError> {
-    let judge = Judge::new(model, wish);
+    let judge = Judge::new(model, wish)?;
     let armature = least_armature(model, wish)?;
     let (at, reached) = judge.worst(model, 0)?;
     if wish.goal.holds(reached) || at.len() != model.nq() {
@@ -246,10 +246,10 @@ pub(super) struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    fn new(model: &Model<f64>, wish: &'a Wish<'a>) -> Self {
+    fn new(model: &Model<f64>, wish: &'a Wish<'a>) -> Result<Self, StudyError> {
         let effort = wish.effort;
         let effort = Effort { samples: effort.samples.min(512), starts: effort.starts.min(6), ..effort };
-        Self { wish, effort, impedance: Impedance::new(model, wish.reduction, wish.springs) }
+        Ok(Self { wish, effort, impedance: Impedance::new(model, wish.reduction, wish.springs)? })
     }
 
     /// The configuration in which a robot is farthest from the goal, and the goal's measure there.

@@ -72,17 +72,20 @@ impl<'m> Field<'m> {
                 .enumerate()
                 .map(|(k, point)| {
                     let H = self.mass_matrix(&self.domain.configuration(point))?;
-                    let fails = |i: usize| {
-                        best[i].is_infinite() || !is_stable(&H, self.impedance, integrators[i], best[i])
-                    };
-                    Ok((0..integrators.len()).filter(|&i| fails(i)).map(|i| (k, i)).collect())
+                    let mut suspects = Vec::new();
+                    for (i, &integrator) in integrators.iter().enumerate() {
+                        if !self.bears(&H, integrator, best[i])? {
+                            suspects.push((k, i));
+                        }
+                    }
+                    Ok(suspects)
                 })
                 .collect::<Result<Vec<Vec<_>>, Error>>()?
                 .concat();
             for (k, i) in suspects {
                 let best = records[i].last().map_or(f64::INFINITY, |r| r.0);
                 let H = self.mass_matrix(&self.domain.configuration(&chunk[k]))?;
-                if best.is_finite() && is_stable(&H, self.impedance, integrators[i], best) {
+                if self.bears(&H, integrators[i], best)? {
                     continue;
                 }
                 if let Some(limit) = self.limit(&H, integrators[i])?.filter(|limit| limit.step < best) {
@@ -107,6 +110,11 @@ impl<'m> Field<'m> {
             records.sort_by(|a, b| b.0.total_cmp(&a.0));
         }
         Ok(records)
+    }
+
+    /// Whether a step is stable at H; none is as long as it is infinite.
+    fn bears(&self, H: &Matrix<f64>, integrator: Integrator, step: f64) -> Result<bool, Error> {
+        Ok(step.is_finite() && is_stable(H, self.impedance, integrator, step)?)
     }
 
     /// None where H is singular to working precision.

@@ -98,7 +98,7 @@ pub(super) fn stepping(
     worst: &[Worst],
     progress: &Progress<'_>,
 ) -> Result<Option<Stepping>, StudyError> {
-    let impedance = Impedance::new(model, reduction, &drive.springs);
+    let impedance = Impedance::new(model, reduction, &drive.springs)?;
     if impedance.is_zero() && drive.step.is_none() {
         return Ok(None);
     }

@@ -2,8 +2,8 @@
 //!
 //! Two promises keep it sound, and both are kept here:
 //!
-//! 1. A value of a wide type exists only inside the entry functions, which run only after the processor was asked for their
-//!    features. The types are private to this module; callers see [`Lane`] and [`Wide`].
+//! 1. A value of a wide type, or of a fused one, exists only inside the entry functions, which run only after the processor was
+//!    asked for their features. The types are private to this module; callers see [`Lane`], [`Wide`] and [`Scalar`].
 //! 2. Every intrinsic used works on registers: none touches memory, except loads and stores of whole arrays by value, and
 //!    hints of what will be written, which change no memory whatever the address.
 //!
@@ -11,11 +11,13 @@
 //! function, so that everything in it is compiled for the unit. One configuration runs on registers of four numbers,
 //! both ends of a spectrum on one of two.
 
+mod fused;
 #[cfg(target_arch = "x86_64")]
-pub(super) mod x86;
+mod x86;
 
 use super::lanes::{Array, LANES, Lane, Wide};
 use super::{Quad, Real, Scalar};
+use fused::Fused;
 
 /// An algorithm over eight lanes. `run` must be `#[inline(always)]`, and so must all that it calls per element.
 pub trait LaneAlgorithm {
@@ -120,7 +122,7 @@ pub fn dispatch_one<T: Real, A: Algorithm<T>>(algorithm: A) -> A::Output {
 
 /// Runs an algorithm on `F`, or on plain numbers where there is no fused multiply-add.
 #[inline]
-pub(super) fn dispatch_fused<F, T, A>(algorithm: A) -> A::Output
+fn dispatch_fused<F, T, A>(algorithm: A) -> A::Output
 where
     F: Scalar<Constant = T, Stored = T, Columns: Quad<T>>,
     T: Real,
@@ -146,8 +148,21 @@ pub trait Batched: Real {
     fn dispatch_wide<A: WideAlgorithm<Self>>(unit: Unit, algorithm: A) -> A::Output;
 }
 
+/// Numbers that have a fused form. It is named here alone.
+pub(super) trait Fusing: Real {
+    /// Runs an algorithm on the fused form, or on plain numbers where there is none.
+    fn dispatch_fused<A: Algorithm<Self>>(algorithm: A) -> A::Output;
+}
+
 macro_rules! batched {
     ($T:ident, $avx2:ident, $avx512:ident) => {
+        impl Fusing for $T {
+            #[inline]
+            fn dispatch_fused<A: Algorithm<Self>>(algorithm: A) -> A::Output {
+                dispatch_fused::<Fused<$T>, _, _>(algorithm)
+            }
+        }
+
         impl Batched for $T {
             #[inline]
             fn dispatch_wide<A: WideAlgorithm<Self>>(unit: Unit, algorithm: A) -> A::Output {

@@ -2,11 +2,11 @@
 //!
 //! Whether a product and a sum are one instruction is a matter of the type: [`Fused`] always fuses, its number never does on a
 //! target without the instruction, where fusing would be a library call. It exists, like the wide types and for its columns' sake,
-//! inside the entry functions of `simd` only.
+//! inside the entry functions of this module's parent only.
 
 #[cfg(target_arch = "x86_64")]
-use super::simd::x86::{F32x4, F64x4};
-use super::{Real, Scalar, Wide};
+use super::x86::{F32x4, F64x4};
+use crate::scalar::{Real, Scalar, Wide};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number whose [`mul_add`](Scalar::mul_add) rounds once. In memory it is the plain number.
@@ -144,6 +144,6 @@ fused!(f32, F32x4);
 #[cfg(target_arch = "x86_64")]
 fused!(f64, F64x4);
 #[cfg(not(target_arch = "x86_64"))]
-fused!(f32, super::Array<4, f32>);
+fused!(f32, crate::scalar::Array<4, f32>);
 #[cfg(not(target_arch = "x86_64"))]
-fused!(f64, super::Array<4, f64>);
+fused!(f64, crate::scalar::Array<4, f64>);
