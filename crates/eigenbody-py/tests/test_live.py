@@ -44,7 +44,7 @@ def test_pinocchio(path, floating):
     data = live.createData()
     for seed in range(1, 6):
         q = robot.random(seed)
-        theirs = unbounded(live, layout.q_to(q))
+        theirs = layout.q_to(q)
         M = np.array(pinocchio.crba(live, data, theirs))
         M = np.triu(M) + np.triu(M, 1).T
         close(layout.matrix_to(q, robot.mass_matrix(q)), M)
@@ -53,19 +53,6 @@ def test_pinocchio(path, floating):
         tau = np.array(pinocchio.rnea(live, data, theirs, v, a))
         ours = robot.rnea(q, layout.v_from(q, v), layout.v_from(q, a))
         close(layout.v_to(q, ours), tau)
-
-
-def unbounded(live, q):
-    """Joints without limits are a cosine and a sine in Pinocchio."""
-    out, k = [], 0
-    for joint in list(live.joints)[1:]:
-        if joint.nq == 2 and joint.nv == 1:
-            out += [np.cos(q[k]), np.sin(q[k])]
-            k += 1
-        else:
-            out += list(q[k : k + joint.nq])
-            k += joint.nq
-    return np.array(out)
 
 
 @pytest.mark.parametrize("path", MJCF, ids=lambda path: path.stem)
