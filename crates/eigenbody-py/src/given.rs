@@ -43,7 +43,7 @@ pub enum Table<'py> {
 fn one(what: &str, numbers: &Bound<'_, PyAny>, width: usize) -> Result<Vec<f64>, Failure> {
     let rows = Rows::<f64>::new(what, numbers, width)?;
     match rows.count() {
-        None => Ok(rows.numbers().into_owned()),
+        None => Ok(rows.numbers()?.into_owned()),
         Some(_) => Err(Failure::input(what, format!("is a batch, expected shape ({width},)"))),
     }
 }
@@ -181,7 +181,7 @@ fn numbers(
     if let Some(index) = times.iter().position(|t| !t.is_finite()) {
         return Err(InputError::NotFinite { what: "times", index }.into());
     }
-    let numbers = rows.numbers();
+    let numbers = rows.numbers()?;
     let rows = (0..count).map(|k| all(&numbers[k * given..(k + 1) * given])).collect();
     Trajectory::new(times, rows, width).map_err(|error| Failure::input(what, error))
 }

@@ -1,11 +1,14 @@
 //! What a `Model` is: names, limits, configurations, copies with something changed.
 
+use crate::array::Out;
+use crate::compute::go_on;
 use crate::error::Failure;
 use crate::model::{Model, Shared};
 use eigenbody_formats::{Loaded, write_mjcf, write_urdf, write_urdf_with_rotors};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 
 #[pymethods]
 impl Model {
@@ -115,14 +118,16 @@ impl Model {
         seed: u64,
         count: Option<usize>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        let row = |seed| self.shared.given(&self.shared.robot.model.random(seed));
+        let shared = &self.shared;
+        let row = |seed| shared.given(&shared.robot.model.random(seed));
         let Some(count) = count else { return Ok(PyArray1::from_vec(py, row(seed)).into_any()) };
-        let mut numbers = Vec::with_capacity(count.saturating_mul(self.shared.nq).min(1 << 26));
-        for k in 0..count as u64 {
-            numbers.extend(row(seed.wrapping_add(k)));
-        }
-        let array = PyArray1::from_vec(py, numbers);
-        Ok(array.call_method1("reshape", (count, self.shared.nq))?)
+        Out::<f64>::new(py, &[count, shared.nq], None)?.fill(false, |out, progress| {
+            out.par_chunks_mut(shared.nq.max(1)).enumerate().try_for_each(|(k, out)| {
+                go_on(progress)?;
+                out.copy_from_slice(&row(seed.wrapping_add(k as u64)));
+                Ok(())
+            })
+        })
     }
 
     #[pyo3(signature = (text, /))]
@@ -139,7 +144,7 @@ impl Model {
     fn with_armature(&self, armature: &Bound<'_, PyAny>) -> Result<Self, Failure> {
         let model = &self.shared.robot.model;
         let rows = crate::array::Rows::<f64>::new("armature", armature, model.nv())?;
-        let changed = model.clone().with_armature(rows.numbers().to_vec())?;
+        let changed = model.clone().with_armature(rows.numbers()?.into_owned())?;
         Ok(Self::with(&self.shared, changed))
     }
 

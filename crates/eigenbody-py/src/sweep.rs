@@ -1,5 +1,6 @@
 //! `eigenbody._eigenbody.SweepPlan`: what an executor needs of a sweep.
 
+use crate::compute::in_parallel;
 use crate::error::Failure;
 use eigenbody_report::{PlanRecord, SweepFolder, chunk_text};
 use eigenbody_study::sweep::{Plan, Spec};
@@ -48,7 +49,7 @@ impl SweepPlan {
     /// The text of a chunk's file, computed on one thread.
     #[pyo3(signature = (number, /))]
     fn compute<'py>(&self, py: Python<'py>, number: u64) -> Result<Bound<'py, PyBytes>, Failure> {
-        let text = py.detach(|| {
+        let text = in_parallel(py, |_| {
             let chunk = self.plan.compute(number).map_err(|error| Failure::input("spec", error))?;
             chunk_text(&self.plan, &chunk).map_err(|error| Failure::input("spec", error))
         })?;

@@ -45,7 +45,7 @@ impl Tracker {
         }
         let metric = eigenbody_formats::metric(metric)?;
         let rows = Rows::<f64>::new("q", q, shared.nq)?;
-        let numbers = rows.numbers();
+        let numbers = rows.numbers()?;
         let start = &numbers[..shared.nq.min(numbers.len())];
         let cell = Cell::try_new(Arc::clone(&shared), |shared| {
             Inner::new(&shared.robot.model, start, &metric, reduction.base)
@@ -57,7 +57,7 @@ impl Tracker {
     #[pyo3(signature = (q, /))]
     fn update<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> Result<Bound<'py, PyAny>, Failure> {
         let rows = Rows::<f64>::new("q", q, self.shared.nq)?;
-        let numbers = rows.numbers();
+        let numbers = rows.numbers()?;
         let (numbers, width) = (numbers.as_ref(), rows.width());
         let is_batch = rows.count().is_some();
         let count = rows.count().unwrap_or(1);
