@@ -176,7 +176,10 @@ fn in_lanes(shared: &Shared, rows: &Rows<'_, f64>, accuracy: f64) -> Result<Opti
     if !(0.0..1.0).contains(&accuracy) {
         return Err(Failure::input("accuracy", format!("{accuracy}, expected 0 or a part of 1")));
     }
-    let fits = accuracy > 0.0 && shared.robot.is_plain() && shared.robot.model.check_dense().is_ok();
+    let fits = accuracy > 0.0
+        && shared.nq > 0
+        && shared.robot.is_plain()
+        && shared.robot.model.check_dense().is_ok();
     Ok(rows.count().filter(|&count| fits && count > 0))
 }
 

@@ -158,3 +158,15 @@ def test_results_of_more_than_arrays_leak_nothing():
     turn(3000)
     # Ten times as often: a leaked model or table of a kilobyte a call would be 12 MB.
     assert peak() - before < 4_000
+
+
+def test_a_robot_that_cannot_move_has_empty_batches():
+    """A batch gives what one row gives."""
+    parts = Parts("stone")
+    parts.joint("glue", "fixed", parent=parts.link("ground"), child=parts.link("stone", mass=1.0, inertia=np.eye(3)))
+    stone, none = Model(parts), np.zeros((3, 0))
+    assert np.array_equal(stone.kappa(none), [stone.kappa(none[0])] * 3, equal_nan=True)
+    assert np.array_equal(stone.extremes(none), [stone.extremes(none[0])] * 3, equal_nan=True)
+    assert stone.mass_matrix(none).shape == (3, 0, 0)
+    assert stone.random(1, 3).shape == (3, 0)
+    assert len(stone.conditioning(none, all=True)) == 3
