@@ -183,9 +183,6 @@ fn in_lanes(shared: &Shared, rows: &Rows<'_, f64>, accuracy: f64) -> Result<Opti
     Ok(rows.count().filter(|&count| fits && count > 0))
 }
 
-fn table<'py>(
-    shared: &Shared,
-    q: &Bound<'py, PyAny>,
 /// Gives λmin, NaN where it is not resolved, and λmax of every row to `keep`, with the row's number.
 fn side_by_side(
     shared: &Shared,
@@ -215,6 +212,9 @@ fn side_by_side(
     Ok(())
 }
 
+fn table<'py>(
+    shared: &Shared,
+    q: &Bound<'py, PyAny>,
     question: &Question,
     shape: &[usize],
     out: Option<&Bound<'py, PyAny>>,
@@ -251,7 +251,7 @@ pub fn conditioning<'py>(
     let answers = answers(shared, &rows, &question, py)?;
     let results = py.import("eigenbody._results")?;
     if rows.count().is_some() {
-        return Ok(results.getattr("Conditionings")?.call1((columns(py, &answers)?,))?);
+        return Ok(results.getattr("Conditionings")?.call1((columns(py, &answers, asked.all)?,))?);
     }
     let translations: Vec<bool> = {
         let model = &shared.robot.model;
@@ -280,9 +280,10 @@ pub fn conditioning<'py>(
 fn columns<'py>(
     py: Python<'py>,
     answers: &[eigenbody::Conditioning<f64>],
+    all: bool,
 ) -> Result<Bound<'py, PyDict>, Failure> {
     type Pick = fn(&eigenbody::Conditioning<f64>) -> Option<f64>;
-    let picks: [(&str, Pick); 8] = [
+    let picks: [(&str, Pick); 9] = [
         ("kappa", |a| a.kappa),
         ("kappa_weighted", |a| a.kappa_weighted),
         ("lambda_min", |a| a.lambda_min),
@@ -290,29 +291,32 @@ fn columns<'py>(
         ("diagonal_ratio", |a| a.diagonal_ratio),
         ("bracket_low", |a| a.bracket.map(|ends| ends.0)),
         ("bracket_high", |a| a.bracket.map(|ends| ends.1)),
-        ("error_estimate", |a| a.error_estimate[0]),
+        ("error_of_min", |a| a.error_estimate[0]),
+        ("error_of_max", |a| a.error_estimate[1]),
     ];
     let columns = PyDict::new(py);
     for (name, pick) in picks {
         let column: Vec<f64> = answers.iter().map(|answer| pick(answer).unwrap_or(f64::NAN)).collect();
         columns.set_item(name, PyArray1::from_vec(py, column))?;
     }
-    for (name, end) in [("softest", true), ("stiffest", false)] {
-        let n = answers.first().map_or(0, |answer| answer.weights.len());
-        let modes = PyArray2::<f64>::zeros(py, [answers.len(), n], false);
-        {
-            let mut guard = modes.readwrite();
-            let slice = guard.as_slice_mut().map_err(|error| Failure::input(name, error))?;
-            for (k, answer) in answers.iter().enumerate() {
-                let mode = if end { &answer.softest } else { &answer.stiffest };
-                let row = &mut slice[k * n..(k + 1) * n];
-                match mode {
-                    Some(mode) => row.copy_from_slice(mode),
+    type List = fn(&eigenbody::Conditioning<f64>) -> Option<&Vec<f64>>;
+    let lists: [(&str, List); 3] = [
+        ("softest", |a| a.softest.as_ref()),
+        ("stiffest", |a| a.stiffest.as_ref()),
+        ("eigenvalues", |a| a.eigenvalues.as_ref()),
+    ];
+    let n = answers.first().map_or(0, |answer| answer.weights.len());
+    for (name, pick) in lists.into_iter().filter(|(name, _)| all || *name != "eigenvalues") {
+        let rows = Out::<f64>::new(py, &[answers.len(), n], None)?.fill(true, |out, _| {
+            for (row, answer) in out.chunks_exact_mut(n.max(1)).zip(answers) {
+                match pick(answer).filter(|list| list.len() == n) {
+                    Some(list) => row.copy_from_slice(list),
                     None => row.fill(f64::NAN),
                 }
             }
-        }
-        columns.set_item(name, modes)?;
+            Ok(())
+        })?;
+        columns.set_item(name, rows)?;
     }
     Ok(columns)
 }
