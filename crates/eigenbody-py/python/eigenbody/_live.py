@@ -44,7 +44,7 @@ def pinocchio_parts(model: Any) -> Parts:
             own = np.roll(own, 3)
         limits = None
         if joint.nq == 1:
-            limits = float(model.lowerPositionLimit[joint.idx_q]), float(model.upperPositionLimit[joint.idx_q])
+            limits = _limits(model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q])
         parts.joint(
             name,
             kind,
@@ -60,6 +60,13 @@ def pinocchio_parts(model: Any) -> Parts:
 
 
 def _pinocchio_kind(joint: Any, name: str) -> tuple[str, tuple[float, ...]]:
+def _limits(lower: Any, upper: Any) -> tuple[float, float] | None:
+    """The largest number stands for no limit."""
+    most = float(np.finfo(np.float64).max)
+    ends = -np.inf if lower <= -most else float(lower), np.inf if upper >= most else float(upper)
+    return None if ends == (-np.inf, np.inf) else ends
+
+
     short = str(joint.shortname())
     plain = short.removeprefix("JointModel")
     simple = {"FreeFlyer": "floating", "Spherical": "spherical"}
