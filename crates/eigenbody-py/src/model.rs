@@ -7,6 +7,7 @@ use eigenbody::{Base, Reduction};
 use eigenbody_formats::{
     LoadOptions, Loaded, MjcfOptions, SdfOptions, UrdfOptions, load, read_mjcf, read_sdf, read_urdf,
 };
+use eigenbody_study::diagnosis::Drive;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -16,6 +17,8 @@ use std::sync::{Arc, OnceLock};
 pub struct Shared {
     pub robot: Robot<f64>,
     pub single: OnceLock<Robot<f32>>,
+    /// How its source drives and steps it.
+    pub drive: Drive,
     /// The file or expression, if there was one.
     pub loaded: Option<Loaded>,
     pub name: String,
@@ -93,7 +96,9 @@ impl Model {
             base: options.base == Base::Floating && (options.reduced || loaded.is_family()),
         };
         let findings = if loaded.is_family() { Vec::new() } else { loaded.findings() };
-        Ok(Self::assemble(loaded.model.clone(), reduction, name, findings, Some(loaded)))
+        let source = Some(Source { constructor, options });
+        let (model, drive) = (loaded.model.clone(), Drive::of(&loaded));
+        Ok(Self { source, ..Self::assemble(model, reduction, name, findings, drive, Some(loaded)) })
     }
 
     fn assemble(
@@ -107,14 +112,19 @@ impl Model {
         let (nq, nv) = coupling.map_or((model.nq(), model.nv()), |coupling| (coupling.nq(), coupling.nv()));
         let dofs = reduction.dofs(&model).into_iter().map(|d| model.dof_name(d)).collect();
         let robot = Robot::new(model, reduction);
-        let shared = Shared { robot, single: OnceLock::new(), loaded, name, nq, nv, dofs, findings };
+        let shared = Shared { robot, single: OnceLock::new(), drive, loaded, name, nq, nv, dofs, findings };
         Self { shared: Arc::new(shared), source: None }
     }
 
     /// The same robot with another model.
     pub fn with(shared: &Shared, model: eigenbody::Model<f64>) -> Self {
-        let Shared { robot, name, findings, loaded, .. } = shared;
-        Self::assemble(model, robot.reduction, name.clone(), findings.clone(), loaded.clone())
+        let Shared { robot, name, findings, drive, loaded, .. } = shared;
+        let (findings, drive) = (findings.clone(), drive.clone());
+        Self::assemble(model, robot.reduction, name.clone(), findings, drive, loaded.clone())
+    }
+
+    fn family(py: Python<'_>, text: String, base: &str) -> Result<Self, Failure> {
+        Self::load(py, text, Options::new(base, None, false, false)?)
     }
 
     fn family(text: String, base: &str) -> Result<Self, Failure> {
@@ -131,6 +141,7 @@ impl Model {
     fn new(
         py: Python<'_>,
         model: &Bound<'_, PyAny>,
+        drive: Drive,
         base: &str,
         mimic: Option<bool>,
         reduced: bool,
@@ -141,8 +152,9 @@ impl Model {
             let parts = parts.get();
             let built = parts.build(options.base)?;
             let reduction = Reduction { mimic: options.mimic.unwrap_or(true), base: options.reduced };
-            let findings = built.findings().iter().map(ToString::to_string).collect();
-            return Ok(Self::assemble(built, reduction, parts.name.clone(), findings, None));
+            let findings = built.findings().iter().map(ToString::to_string).chain(parts.notes()).collect();
+            let drive = Drive { springs: parts.springs(&built), ..Drive::default() };
+            return Ok(Self::assemble(built, reduction, parts.name.clone(), findings, drive, None));
         }
         let text = match model.extract::<String>() {
             Ok(text) => text,

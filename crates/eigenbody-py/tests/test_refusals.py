@@ -14,6 +14,12 @@ ROBOT = Model("puma560")
 Q = np.zeros(6)
 
 
+def placed(rotation, **options):
+    parts = Parts("p")
+    ends = {"parent": parts.link("a"), "child": parts.link("b")}
+    return parts.joint("j", "revolute", **ends, rotation=rotation, **options)
+
+
 @pytest.mark.parametrize(
     ("call", "error", "words"),
     [
@@ -59,6 +65,12 @@ Q = np.zeros(6)
         (lambda: Layout(ROBOT, "mujoco", ["a"]), InputError, "unknown"),
         (lambda: Layout(ROBOT, "bullet"), InputError, "engine"),
         (lambda: Model(Parts("empty")), ModelError, "no link"),
+        (lambda: Parts("p").link("l", mass=1.0, inertia=[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]), InputError, "'l' is not symmetric"),
+        (lambda: placed([[2, 0, 0], [0, 1, 0], [0, 0, 1]]), InputError, "rotation: .*joint 'j'.*orthonormal"),
+        (lambda: placed([[-1, 0, 0], [0, 1, 0], [0, 0, 1]]), InputError, "right-handed"),
+        (lambda: placed(np.full((3, 3), np.nan)), InputError, "rotation"),
+        (lambda: placed(np.eye(3), damping=[1.0, 2.0]), InputError, "damping: has 2 numbers, expected 1"),
+        (lambda: placed(np.eye(3), stiffness=np.inf), InputError, r"stiffness\[0\]"),
     ],
 )
 def test_refusals(call, error, words):

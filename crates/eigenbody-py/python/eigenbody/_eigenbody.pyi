@@ -39,7 +39,7 @@ class Parts:
         com: Sequence[float] = ...,
         inertia: Sequence[Sequence[float]] = ...,
     ) -> int:
-        """Adds a link; its number. Mass in kg, centre of mass in m, inertia (3, 3) about it in kg m², in the link's axes."""
+        """Adds a link; its number. Mass in kg, centre of mass in m, inertia (3, 3), symmetric, about it in kg m², in the link's axes."""
 
     def joint(
         self,
@@ -54,12 +54,18 @@ class Parts:
         axis: Sequence[float] = ...,
         armature: Sequence[float] = ...,
         limits: tuple[float, float] | None = None,
+        stiffness: float = 0.0,
+        damping: ArrayLike = ...,
     ) -> int:
         """Adds a joint between two links; its number.
 
         `kind`: fixed, revolute, continuous, prismatic, cylindrical, planar, spherical or floating. `rotation` (3, 3) and `position`
-        (m) place the joint's frame, which is the child's, in the parent's.
+        (m) place the joint's frame, which is the child's, in the parent's. `armature` and `damping` have one number a degree of
+        freedom; `stiffness` is that of each, slack at zero. Springs and dampers count in `check` and `simulate`.
         """
+
+    def note(self, text: str, /) -> None:
+        """Adds a remark to the model's `findings`."""
 
 @final
 class Model:
@@ -116,7 +122,10 @@ class Model:
 
     @staticmethod
     def from_mujoco(model: Any, /) -> Model:
-        """A live `mujoco.MjModel`: joints in its order. Coordinates are ours; see `Layout`."""
+        """A live `mujoco.MjModel`: joints in its order, with stiffness and damping. Coordinates are ours; see `Layout`.
+
+        Actuators, tendons, keyframes and the time step are left out; `findings` says so.
+        """
 
     def __reduce__(self) -> tuple[Any, ...]: ...
     @property

@@ -59,7 +59,6 @@ def pinocchio_parts(model: Any) -> Parts:
     return parts
 
 
-def _pinocchio_kind(joint: Any, name: str) -> tuple[str, tuple[float, ...]]:
 def _limits(lower: Any, upper: Any) -> tuple[float, float] | None:
     """The largest number stands for no limit."""
     most = float(np.finfo(np.float64).max)
@@ -68,6 +67,7 @@ def _limits(lower: Any, upper: Any) -> tuple[float, float] | None:
 
 
     short = str(joint.shortname())
+def _pinocchio_kind(joint: Any, name: str) -> tuple[str, tuple[float, ...]]:
     plain = short.removeprefix("JointModel")
     simple = {"FreeFlyer": "floating", "Spherical": "spherical"}
     if plain in simple:
@@ -83,7 +83,10 @@ def _limits(lower: Any, upper: Any) -> tuple[float, float] | None:
 
 
 def mujoco_parts(model: Any) -> Parts:
-    """The tree of a `mujoco.MjModel`: bodies, joints and armature. Equalities and tendons do not count, as in its own H."""
+    """The tree of a `mujoco.MjModel`: bodies, joints with armature, stiffness and damping.
+
+    Equalities and tendons do not count, as in its own H. What else is left out is noted.
+    """
     try:
         gravity = np.array(model.opt.gravity, dtype=float)
         name = bytes(model.names).split(b"\0", 1)[0].decode() or "mujoco"
@@ -121,9 +124,40 @@ def mujoco_parts(model: Any) -> Parts:
         links.append(link)
         offset.append(-last)
     return parts
+    for note in _mujoco_notes(model):
+        parts.note(note)
 
 
 def _place(model: Any, joint: int) -> Matrix:
+def _mujoco_notes(model: Any) -> list[str]:
+    """What of a model is not taken over, though it moves by it."""
+
+    def some(name: str) -> bool:
+        return bool(np.any(getattr(model, name, 0.0)))
+
+    notes = []
+    if getattr(model, "nu", 0):
+        notes.append("actuators are left out: give their feedback as kp and kd")
+    if some("tendon_stiffness") or some("tendon_damping") or some("tendon_armature"):
+        notes.append("stiffness, damping and armature of tendons are left out")
+    if some("jnt_stiffnesspoly") or some("dof_dampingpoly"):
+        notes.append("of springs and dampers that are polynomials the linear part counts")
+    slack = [i for i in range(int(model.njnt)) if model.jnt_type[i] in (HINGE, SLIDE) and _stiffness(model, i) != 0]
+    if any(model.qpos_spring[model.jnt_qposadr[i]] != 0 for i in slack):
+        notes.append("springs are slack at qpos_spring there, at zero here: give it as rest")
+    free = [int(model.jnt_dofadr[i]) for i in range(int(model.njnt)) if model.jnt_type[i] == FREE]
+    if any(np.any(model.dof_damping[dof : dof + 6]) for dof in free):
+        notes.append("damping of free joints is left out")
+    if getattr(model, "nkey", 0):
+        notes.append("keyframes are left out")
+    step = float(model.opt.timestep)
+    return [*notes, f"the time step of {step:g} s and its integrator are left out: give step and integrator"]
+
+
+def _stiffness(model: Any, joint: int) -> float:
+    return float(np.ravel(model.jnt_stiffness[joint])[0])
+
+
     return np.zeros(3) if model.jnt_type[joint] == FREE else np.array(model.jnt_pos[joint], dtype=float)
 
 
@@ -150,6 +184,8 @@ def _mujoco_joint(
     if kind in (HINGE, SLIDE) and model.jnt_limited[joint]:
         limits = float(model.jnt_range[joint][0]), float(model.jnt_range[joint][1])
     parts.joint(
+    # A floating base has no springs of its own.
+    is_free = kind == FREE
         name,
         {HINGE: "revolute", SLIDE: "prismatic", BALL: "spherical", FREE: "floating"}[kind],
         parent=ends[0],
@@ -160,6 +196,8 @@ def _mujoco_joint(
         armature=armature.tolist(),
         limits=limits,
     )
+        stiffness=0.0 if is_free else _stiffness(model, joint),
+        damping=[] if is_free else [float(np.ravel(c)[0]) for c in model.dof_damping[dof : dof + width]],
     return ends[1]
 
 
