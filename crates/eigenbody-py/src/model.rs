@@ -34,8 +34,14 @@ pub struct Shared {
 #[pyclass(module = "eigenbody", frozen, weakref)]
 pub struct Model {
     pub shared: Arc<Shared>,
-    /// What `__new__` was called with, for pickling.
-    source: Option<Py<PyDict>>,
+    /// What makes it again, for pickling.
+    source: Option<Source>,
+}
+
+/// The constructor that was called with the model's name, and its options.
+struct Source {
+    constructor: &'static str,
+    options: Options,
 }
 
 /// Options of every constructor.
@@ -66,6 +72,18 @@ impl Shared {
     pub fn given(&self, q: &[f64]) -> Vec<f64> {
         match self.robot.coupling() {
             Some(coupling) => coupling.independent_coordinates().iter().map(|&k| q[k]).collect(),
+
+    /// As a constructor takes them.
+    fn named<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let named = PyDict::new(py);
+        named.set_item("base", if self.base == Base::Fixed { "fixed" } else { "floating" })?;
+        named.set_item("mimic", self.mimic)?;
+        named.set_item("reduced", self.reduced)?;
+        if self.rotors {
+            named.set_item("rotors", true)?;
+        }
+        Ok(named)
+    }
             None => q.to_vec(),
         }
     }
@@ -89,7 +107,12 @@ impl Shared {
 }
 
 impl Model {
-    fn of(loaded: Loaded, name: String, options: Options) -> Result<Self, Failure> {
+    fn of(
+        constructor: &'static str,
+        loaded: Loaded,
+        name: String,
+        options: Options,
+    ) -> Result<Self, Failure> {
         let loaded = if options.rotors { loaded.with_rotors()? } else { loaded };
         let reduction = Reduction {
             mimic: options.mimic.unwrap_or(loaded.mimic),
@@ -113,6 +136,7 @@ impl Model {
         let dofs = reduction.dofs(&model).into_iter().map(|d| model.dof_name(d)).collect();
         let robot = Robot::new(model, reduction);
         let shared = Shared { robot, single: OnceLock::new(), drive, loaded, name, nq, nv, dofs, findings };
+        drive: Drive,
         Self { shared: Arc::new(shared), source: None }
     }
 
@@ -127,10 +151,12 @@ impl Model {
         Self::load(py, text, Options::new(base, None, false, false)?)
     }
 
-    fn family(text: String, base: &str) -> Result<Self, Failure> {
-        let options = Options::new(base, None, false, false)?;
-        let loaded = load(&text, &LoadOptions { base: options.base, size_ratio: None })?;
-        Self::of(loaded, text, options)
+    /// A path or an expression.
+    fn load(py: Python<'_>, text: String, options: Options) -> Result<Self, Failure> {
+        py.detach(|| {
+            let loaded = load(&text, &LoadOptions { base: options.base, size_ratio: None })?;
+            Self::of("Model", loaded, text, options)
+        })
     }
 }
 
@@ -141,7 +167,6 @@ impl Model {
     fn new(
         py: Python<'_>,
         model: &Bound<'_, PyAny>,
-        drive: Drive,
         base: &str,
         mimic: Option<bool>,
         reduced: bool,
@@ -164,13 +189,7 @@ impl Model {
                 .to_string_lossy()
                 .into_owned(),
         };
-        let loaded = py.detach(|| load(&text, &LoadOptions { base: options.base, size_ratio: None }))?;
-        let source = PyDict::new(py);
-        source.set_item("base", base)?;
-        source.set_item("mimic", mimic)?;
-        source.set_item("reduced", reduced)?;
-        source.set_item("rotors", rotors)?;
-        Ok(Self { source: Some(source.unbind()), ..Self::of(loaded, text, options)? })
+        Self::load(py, text, options)
     }
 
     #[staticmethod]
@@ -185,7 +204,7 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, rotors)?;
         let loaded = py.detach(|| read_urdf(&path, &UrdfOptions { base: options.base }))?;
-        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_sdf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
     #[staticmethod]
@@ -199,7 +218,7 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, false)?;
         let loaded = py.detach(|| read_mjcf(&path, &MjcfOptions { base: options.base }))?;
-        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_urdf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
     #[staticmethod]
@@ -213,36 +232,57 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, false)?;
         let loaded = py.detach(|| read_sdf(&path, &SdfOptions { base: options.base }))?;
-        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_mjcf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
-    fn hydra(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
-        Self::family(format!("hydra({n},{branching:?},{skew:?},{taper:?})"), base)
+    fn hydra(
+        py: Python<'_>,
+        n: usize,
+        branching: f64,
+        skew: f64,
+        taper: f64,
+        base: &str,
+    ) -> Result<Self, Failure> {
+        Self::family(py, format!("hydra({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
-    fn onion(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
-        Self::family(format!("onion({n},{branching:?},{skew:?},{taper:?})"), base)
+    fn onion(
+        py: Python<'_>,
+        n: usize,
+        branching: f64,
+        skew: f64,
+        taper: f64,
+        base: &str,
+    ) -> Result<Self, Failure> {
+        Self::family(py, format!("onion({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
-    fn auto_tree(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
-        Self::family(format!("auto_tree({n},{branching:?},{skew:?},{taper:?})"), base)
+    fn auto_tree(
+        py: Python<'_>,
+        n: usize,
+        branching: f64,
+        skew: f64,
+        taper: f64,
+        base: &str,
+    ) -> Result<Self, Failure> {
+        Self::family(py, format!("auto_tree({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
     #[staticmethod]
     #[pyo3(signature = (n, /, *, mass=1.0, length=1.0))]
-    fn chain(n: usize, mass: f64, length: f64) -> Result<Self, Failure> {
-        Self::family(format!("chain({n}, m={mass:?}, l={length:?})"), "fixed")
+    fn chain(py: Python<'_>, n: usize, mass: f64, length: f64) -> Result<Self, Failure> {
+        Self::family(py, format!("chain({n}, m={mass:?}, l={length:?})"), "fixed")
     }
 
     #[staticmethod]
-    fn puma560() -> Result<Self, Failure> {
-        Self::family("puma560".into(), "fixed")
+    fn puma560(py: Python<'_>) -> Result<Self, Failure> {
+        Self::family(py, "puma560".into(), "fixed")
     }
 
     #[staticmethod]
@@ -264,12 +304,20 @@ impl Model {
         let model = slf.get();
         let source = model.source.as_ref().ok_or_else(|| {
             Failure::Type(format!(
-                "only a Model(path or expression) can be pickled, and '{}' is none",
-                model.shared.name
+                "only a Model of a file or an expression can be pickled, and '{name}' is none"
             ))
         })?;
         let rebuild = py.import("eigenbody._live")?.getattr("rebuild")?;
-        let arguments = (model.shared.name.clone(), source.bind(py));
+        let arguments = (source.constructor, model.shared.name.clone(), source.options.named(py)?);
         Ok((rebuild, arguments).into_pyobject(py)?.into_any())
     }
 }
+            let name = &model.shared.name;
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
+    }

@@ -16,9 +16,10 @@ HINGE, SLIDE, BALL, FREE = 3, 2, 1, 0  # mjtJoint
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 
 
-def rebuild(text: str, options: dict[str, Any]) -> Model:
+def rebuild(constructor: str, text: str, options: dict[str, Any]) -> Model:
     """A model from what made it: for pickle."""
-    return Model(text, **options)
+    make = Model if constructor == "Model" else getattr(Model, constructor)
+    return make(text, **options)
 
 
 def pinocchio_parts(model: Any) -> Parts:
@@ -66,8 +67,8 @@ def _limits(lower: Any, upper: Any) -> tuple[float, float] | None:
     return None if ends == (-np.inf, np.inf) else ends
 
 
-    short = str(joint.shortname())
 def _pinocchio_kind(joint: Any, name: str) -> tuple[str, tuple[float, ...]]:
+    short = str(joint.shortname())
     plain = short.removeprefix("JointModel")
     simple = {"FreeFlyer": "floating", "Spherical": "spherical"}
     if plain in simple:
@@ -123,12 +124,11 @@ def mujoco_parts(model: Any) -> Parts:
             link = child
         links.append(link)
         offset.append(-last)
-    return parts
     for note in _mujoco_notes(model):
         parts.note(note)
+    return parts
 
 
-def _place(model: Any, joint: int) -> Matrix:
 def _mujoco_notes(model: Any) -> list[str]:
     """What of a model is not taken over, though it moves by it."""
 
@@ -158,6 +158,7 @@ def _stiffness(model: Any, joint: int) -> float:
     return float(np.ravel(model.jnt_stiffness[joint])[0])
 
 
+def _place(model: Any, joint: int) -> Matrix:
     return np.zeros(3) if model.jnt_type[joint] == FREE else np.array(model.jnt_pos[joint], dtype=float)
 
 
@@ -183,9 +184,9 @@ def _mujoco_joint(
         R, position, armature = np.eye(3), np.zeros(3), np.roll(armature, 3)
     if kind in (HINGE, SLIDE) and model.jnt_limited[joint]:
         limits = float(model.jnt_range[joint][0]), float(model.jnt_range[joint][1])
-    parts.joint(
     # A floating base has no springs of its own.
     is_free = kind == FREE
+    parts.joint(
         name,
         {HINGE: "revolute", SLIDE: "prismatic", BALL: "spherical", FREE: "floating"}[kind],
         parent=ends[0],
@@ -195,9 +196,9 @@ def _mujoco_joint(
         axis=axis.tolist(),
         armature=armature.tolist(),
         limits=limits,
-    )
         stiffness=0.0 if is_free else _stiffness(model, joint),
         damping=[] if is_free else [float(np.ravel(c)[0]) for c in model.dof_damping[dof : dof + width]],
+    )
     return ends[1]
 
 

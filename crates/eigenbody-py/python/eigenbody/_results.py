@@ -264,6 +264,12 @@ class Diagnosis:
     def __reduce__(self) -> tuple[Any, ...]:
         return Diagnosis._of_json, (json.dumps(self._dict),)
 
+    def __copy__(self) -> Diagnosis:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Diagnosis:
+        return self
+
     def __bool__(self) -> bool:
         """True if nothing worse than a note was found."""
         return not any(finding.severity in ("warning", "error") for finding in self.findings)
