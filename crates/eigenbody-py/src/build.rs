@@ -8,7 +8,7 @@ use eigenbody::{Base, InputError, Joint, ModelBuilder};
 use pyo3::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// Links and joints, in the order of their degrees of freedom.
+/// A robot given link by link, joints in the order of their degrees of freedom: `Model(parts)` builds it.
 #[pyclass(module = "eigenbody", frozen)]
 pub struct Parts {
     pub name: String,
@@ -114,6 +114,7 @@ impl Parts {
         Self { name, gravity, lists: Mutex::default() }
     }
 
+    /// Adds a link; its number. Mass in kg, centre of mass in m, inertia (3, 3), symmetric, about it in kg m², in the link's axes.
     #[pyo3(signature = (name, /, *, mass=0.0, com=[0.0; 3], inertia=[[0.0; 3]; 3]))]
     fn link(&self, name: String, mass: f64, com: [f64; 3], inertia: [[f64; 3]; 3]) -> Result<usize, Failure> {
         if !is_symmetric(&inertia) {
@@ -125,6 +126,11 @@ impl Parts {
         Ok(lists.links.len() - 1)
     }
 
+    /// Adds a joint between two links; its number.
+    ///
+    /// `kind`: fixed, revolute, continuous, prismatic, cylindrical, planar, spherical or floating. `rotation` (3, 3) and `position`
+    /// (m) place the joint's frame, which is the child's, in the parent's. `armature` and `damping` have one number a degree of
+    /// freedom; `stiffness` is that of each, slack at zero. Springs and dampers count in `check` and `simulate`.
     #[pyo3(signature = (name, kind, /, *, parent, child, rotation=[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         position=[0.0; 3], axis=[0.0, 0.0, 1.0], armature=Vec::new(), limits=None, stiffness=0.0, damping=Vec::new()))]
     #[allow(clippy::too_many_arguments)] // each a named option in Python
@@ -139,26 +145,20 @@ impl Parts {
         axis: [f64; 3],
         armature: Vec<f64>,
         limits: Option<(f64, f64)>,
+        stiffness: f64,
+        damping: Vec<f64>,
     ) -> Result<usize, Failure> {
         let kind = match kind {
             "fixed" => Joint::Fixed,
             "revolute" => Joint::Revolute,
             "continuous" => Joint::Continuous,
             "prismatic" => Joint::Prismatic,
-        stiffness: f64,
-        damping: Vec<f64>,
             "spherical" => Joint::Spherical,
             "floating" => Joint::Floating,
             "planar" => Joint::Planar,
             "cylindrical" => Joint::Cylindrical,
             _ => return Err(Failure::input("kind", format!("'{kind}' is no kind of joint"))),
         };
-        let mut lists = self.lists();
-        for (what, link) in [("parent", parent), ("child", child)] {
-            if link >= lists.links.len() {
-                return Err(Failure::input(what, format!("no link has number {link}")));
-            }
-        }
         for (what, numbers) in [("stiffness", &[stiffness][..]), ("damping", &damping[..])] {
             if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
                 return Err(InputError::NotFinite { what, index }.into());
@@ -168,7 +168,19 @@ impl Parts {
             let problem = format!("has {} numbers, expected {}", damping.len(), kind.nv());
             return Err(Failure::input("damping", problem));
         }
+        let mut lists = self.lists();
+        for (what, link) in [("parent", parent), ("child", child)] {
+            if link >= lists.links.len() {
+                return Err(Failure::input(what, format!("no link has number {link}")));
+            }
+        }
         let [x, y, z] = rotation.map(Vec3::from_f64);
+        if !is_rotation([x, y, z]) {
+            let problem = format!(
+                "{rotation:?} of joint '{name}' is none: its rows are not orthonormal and right-handed"
+            );
+            return Err(Failure::input("rotation", problem));
+        }
         // The rotation takes the child's coordinates to the parent's; E goes the other way.
         let placement = Transform::new(Mat3::from_rows(x, y, z).transpose(), Vec3::from_f64(position));
         let axis = Vec3::from_f64(axis);
@@ -177,16 +189,10 @@ impl Parts {
         lists.joints.push(joint);
         Ok(lists.joints.len() - 1)
     }
-        if !is_rotation([x, y, z]) {
-            let problem = format!(
-                "{rotation:?} of joint '{name}' is none: its rows are not orthonormal and right-handed"
-            );
-            return Err(Failure::input("rotation", problem));
-        }
-}
 
     /// Adds a remark to the model's `findings`.
     #[pyo3(signature = (text, /))]
     fn note(&self, text: String) {
         self.lists().notes.push(text);
     }
+}

@@ -8,6 +8,7 @@ use eigenbody_formats::motion::Wanted;
 use eigenbody_formats::{Motion, MotionOptions, gains, velocity};
 use eigenbody_study::simulate::Trajectory;
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyMapping};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -93,6 +94,11 @@ impl Gains<'_> {
                         .ok_or_else(|| Failure::input(what, format!("no moving joint is named '{name}'")))?;
                     joint.dofs().for_each(|d| all[d] = Some(*gain));
                 }
+            }
+            Self::Numbers(mapping) if mapping.hasattr("keys")? => {
+                let named = PyDict::new(mapping.py());
+                named.update(mapping.cast::<PyMapping>().map_err(PyErr::from)?)?;
+                return Self::Named(named.extract()?).read(what, shared);
             }
             Self::Numbers(number) if number.len().is_err() => {
                 let gain = number.extract().map_err(|_| {

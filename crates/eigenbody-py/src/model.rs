@@ -31,6 +31,13 @@ pub struct Shared {
 }
 
 /// A robot: a tree of rigid bodies and joints.
+///
+/// `model` is a URDF, MJCF or SDF file, `puma560`, a family such as ``'hydra(40,1,0,1)'``, or `Parts`. `mimic`: mimic joints follow
+/// (None: as the command line); `reduced`: a floating base is removed, H is H*; `rotors`: rotor inertia of URDF transmissions
+/// counts. Raises ModelError with file, line and column.
+///
+/// Every function of q takes ``(nq,)`` or a batch ``(k, nq)``; a single row stands in for every row of a batch; `out` takes
+/// the result. If all arrays are float32, dynamics are computed and given in it; spectra are always float64.
 #[pyclass(module = "eigenbody", frozen, weakref)]
 pub struct Model {
     pub shared: Arc<Shared>,
@@ -65,13 +72,6 @@ impl Options {
         }
         Ok(Self { base, mimic, reduced, rotors })
     }
-}
-
-impl Shared {
-    /// Of all coordinates, those that a caller gives.
-    pub fn given(&self, q: &[f64]) -> Vec<f64> {
-        match self.robot.coupling() {
-            Some(coupling) => coupling.independent_coordinates().iter().map(|&k| q[k]).collect(),
 
     /// As a constructor takes them.
     fn named<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -84,6 +84,13 @@ impl Shared {
         }
         Ok(named)
     }
+}
+
+impl Shared {
+    /// Of all coordinates, those that a caller gives.
+    pub fn given(&self, q: &[f64]) -> Vec<f64> {
+        match self.robot.coupling() {
+            Some(coupling) => coupling.independent_coordinates().iter().map(|&k| q[k]).collect(),
             None => q.to_vec(),
         }
     }
@@ -129,6 +136,7 @@ impl Model {
         reduction: Reduction,
         name: String,
         findings: Vec<String>,
+        drive: Drive,
         loaded: Option<Loaded>,
     ) -> Self {
         let coupling = model.coupling().filter(|_| reduction.mimic);
@@ -136,7 +144,6 @@ impl Model {
         let dofs = reduction.dofs(&model).into_iter().map(|d| model.dof_name(d)).collect();
         let robot = Robot::new(model, reduction);
         let shared = Shared { robot, single: OnceLock::new(), drive, loaded, name, nq, nv, dofs, findings };
-        drive: Drive,
         Self { shared: Arc::new(shared), source: None }
     }
 
@@ -192,6 +199,7 @@ impl Model {
         Self::load(py, text, options)
     }
 
+    /// A URDF file.
     #[staticmethod]
     #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false, rotors=false))]
     fn from_urdf(
@@ -204,9 +212,10 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, rotors)?;
         let loaded = py.detach(|| read_urdf(&path, &UrdfOptions { base: options.base }))?;
-        Self::of("from_sdf", loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_urdf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
+    /// An MJCF file.
     #[staticmethod]
     #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false))]
     fn from_mjcf(
@@ -218,9 +227,10 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, false)?;
         let loaded = py.detach(|| read_mjcf(&path, &MjcfOptions { base: options.base }))?;
-        Self::of("from_urdf", loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_mjcf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
+    /// An SDF file.
     #[staticmethod]
     #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false))]
     fn from_sdf(
@@ -232,9 +242,10 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, false)?;
         let loaded = py.detach(|| read_sdf(&path, &SdfOptions { base: options.base }))?;
-        Self::of("from_mjcf", loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_sdf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
+    /// Featherstone's hydra: n tubes of 1 m and 1 kg, each `taper` times as large as its parent.
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
     fn hydra(
@@ -248,6 +259,7 @@ impl Model {
         Self::family(py, format!("hydra({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
+    /// Featherstone's onion: hydra with all joints in one place.
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
     fn onion(
@@ -261,6 +273,7 @@ impl Model {
         Self::family(py, format!("onion({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
+    /// Hydra's links with joints of every kind.
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
     fn auto_tree(
@@ -274,17 +287,20 @@ impl Model {
         Self::family(py, format!("auto_tree({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
+    /// n slender rods, horizontal at q = 0.
     #[staticmethod]
     #[pyo3(signature = (n, /, *, mass=1.0, length=1.0))]
     fn chain(py: Python<'_>, n: usize, mass: f64, length: f64) -> Result<Self, Failure> {
         Self::family(py, format!("chain({n}, m={mass:?}, l={length:?})"), "fixed")
     }
 
+    /// The PUMA 560.
     #[staticmethod]
     fn puma560(py: Python<'_>) -> Result<Self, Failure> {
         Self::family(py, "puma560".into(), "fixed")
     }
 
+    /// A live `pinocchio.Model`: joints in its order. Coordinates are ours; see `Layout`.
     #[staticmethod]
     #[pyo3(signature = (model, /))]
     fn from_pinocchio(py: Python<'_>, model: &Bound<'_, PyAny>) -> Result<Self, Failure> {
@@ -292,6 +308,9 @@ impl Model {
         Self::new(py, &parts, "fixed", None, false, false)
     }
 
+    /// A live `mujoco.MjModel`: joints in its order, with stiffness and damping. Coordinates are ours; see `Layout`.
+    ///
+    /// Actuators, tendons, keyframes and the time step are left out; `findings` says so.
     #[staticmethod]
     #[pyo3(signature = (model, /))]
     fn from_mujoco(py: Python<'_>, model: &Bound<'_, PyAny>) -> Result<Self, Failure> {
@@ -303,6 +322,7 @@ impl Model {
         let py = slf.py();
         let model = slf.get();
         let source = model.source.as_ref().ok_or_else(|| {
+            let name = &model.shared.name;
             Failure::Type(format!(
                 "only a Model of a file or an expression can be pickled, and '{name}' is none"
             ))
@@ -311,8 +331,6 @@ impl Model {
         let arguments = (source.constructor, model.shared.name.clone(), source.options.named(py)?);
         Ok((rebuild, arguments).into_pyobject(py)?.into_any())
     }
-}
-            let name = &model.shared.name;
 
     fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
         slf
@@ -321,3 +339,4 @@ impl Model {
     fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
         slf
     }
+}

@@ -24,42 +24,49 @@ impl Model {
         format!("<eigenbody.Model '{name}': {bodies} bodies, {base} base, nq {nq}, nv {nv}{rows}>")
     }
 
+    /// What it was made of.
     #[getter]
     fn name(&self) -> &str {
         &self.shared.name
     }
 
+    /// Numbers in q.
     #[getter]
     fn nq(&self) -> usize {
         self.shared.nq
     }
 
+    /// Degrees of freedom: numbers in v.
     #[getter]
     fn nv(&self) -> usize {
         self.shared.nv
     }
 
+    /// Moving bodies.
     #[getter]
     fn nbodies(&self) -> usize {
         self.shared.robot.model.bodies().len()
     }
 
+    /// The first joint is a floating base.
     #[getter]
     fn has_floating_base(&self) -> bool {
         self.shared.robot.model.has_floating_base()
     }
 
+    /// One name a row of H.
     #[getter]
     fn dof_names(&self) -> Vec<String> {
         self.shared.dofs.clone()
     }
 
+    /// All links, merged ones included.
     #[getter]
     fn link_names(&self) -> Vec<String> {
         self.shared.robot.model.links().iter().map(|link| link.name().to_owned()).collect()
     }
 
-    /// Name, kind, first coordinate, first DoF of every moving joint.
+    /// Name, kind, first coordinate and first degree of freedom of every moving joint, among all of them.
     #[getter]
     fn joints(&self) -> Vec<(String, &'static str, usize, usize)> {
         let joint = |joint: &eigenbody::model::JointInfo<f64>| {
@@ -68,7 +75,7 @@ impl Model {
         self.shared.robot.model.joints().iter().map(joint).collect()
     }
 
-    /// Lower and upper limit of every coordinate; infinite where there is none.
+    /// (2, nq): lower and upper limits, infinite where there is none.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
         let model = &self.shared.robot.model;
@@ -83,21 +90,25 @@ impl Model {
         PyArray2::from_vec2(py, &columns).unwrap_or_else(|_| PyArray2::zeros(py, [2, 0], false))
     }
 
+    /// Rotor inertia reflected to each degree of freedom (kg m², kg), those of mimic joints and a floating base included.
     #[getter]
     fn armature<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.shared.robot.model.armature())
     }
 
+    /// (3,): m/s².
     #[getter]
     fn gravity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.shared.robot.model.gravity().to_array())
     }
 
+    /// What is suspicious about the model, with file and line.
     #[getter]
     fn findings(&self) -> Vec<String> {
         self.shared.findings.clone()
     }
 
+    /// Configurations that the file names.
     #[getter]
     fn keyframes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let keyframes = PyDict::new(py);
@@ -107,10 +118,12 @@ impl Model {
         Ok(keyframes)
     }
 
+    /// (nq,): zero, quaternions the identity.
     fn neutral<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_vec(py, self.shared.given(&self.shared.robot.model.neutral()))
     }
 
+    /// A random configuration within limits, (nq,), or `count` of them, (count, nq): of seeds seed, seed + 1, ..
     #[pyo3(signature = (seed=1, count=None))]
     fn random<'py>(
         &self,
@@ -130,6 +143,7 @@ impl Model {
         })
     }
 
+    /// What the command line's `--at` takes: 'zag(pi/2)', 'elbow=0.3', 'random(7)', a keyframe's name.
     #[pyo3(signature = (text, /))]
     pub fn configuration<'py>(
         &self,
@@ -140,6 +154,7 @@ impl Model {
         Ok(PyArray1::from_vec(py, self.shared.given(&q)))
     }
 
+    /// The same with other armature, one number for each that `armature` has.
     #[pyo3(signature = (armature, /))]
     fn with_armature(&self, armature: &Bound<'_, PyAny>) -> Result<Self, Failure> {
         let model = &self.shared.robot.model;
@@ -148,6 +163,7 @@ impl Model {
         Ok(Self::with(&self.shared, changed))
     }
 
+    /// The same with other gravity, (3,), m/s².
     #[pyo3(signature = (gravity, /))]
     fn with_gravity(&self, gravity: [f64; 3]) -> Result<Self, Failure> {
         if let Some(index) = gravity.iter().position(|g| !g.is_finite()) {
@@ -157,6 +173,7 @@ impl Model {
         Ok(Self::with(&self.shared, self.shared.robot.model.clone().with_gravity(gravity)))
     }
 
+    /// As URDF, fixed joints merged; `rotors`: armature as rotors of transmissions, which `Model(.., rotors=True)` reads.
     #[pyo3(signature = (*, rotors=false))]
     fn to_urdf(&self, rotors: bool) -> Result<String, Failure> {
         let model = &self.shared.robot.model;
@@ -164,6 +181,7 @@ impl Model {
         text.map_err(|error| Failure::input("model", error))
     }
 
+    /// As MJCF, fixed joints merged.
     fn to_mjcf(&self) -> Result<String, Failure> {
         write_mjcf(&self.shared.robot.model).map_err(|error| Failure::input("model", error))
     }

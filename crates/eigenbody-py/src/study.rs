@@ -140,7 +140,7 @@ impl Look<'_, '_> {
     }
 }
 
-/// A robot that was examined: what a `Diagnosis` is made of, and pages and mended robots are made from.
+/// What a `Diagnosis` was made from.
 #[pyclass(module = "eigenbody._eigenbody", frozen)]
 pub struct Examination {
     shared: Arc<Shared>,
@@ -152,14 +152,17 @@ pub struct Examination {
 
 #[pymethods]
 impl Examination {
+    /// What `eigenbody check --format json` prints.
     fn to_json(&self) -> Result<String, Failure> {
         self.report.to_json().map_err(|error| Failure::input("model", error))
     }
 
+    /// What `eigenbody check --format sarif` prints.
     fn to_sarif(&self) -> Result<String, Failure> {
         self.report.to_sarif().map_err(|error| Failure::input("model", error))
     }
 
+    /// What `eigenbody check` prints.
     fn to_text(&self) -> String {
         let Self { found, advice, report, .. } = self;
         let advice: String = advice.iter().map(|(goal, found)| advice_text(*goal, found)).collect();
@@ -167,6 +170,7 @@ impl Examination {
         diagnosis_text(&report.model, found, &report.model_findings) + &advice + &against
     }
 
+    /// What `eigenbody report` writes.
     fn to_html(&self, py: Python<'_>) -> Result<String, Failure> {
         let Self { shared, question, found, report, .. } = self;
         let model = &shared.robot.model;
@@ -176,6 +180,7 @@ impl Examination {
         })
     }
 
+    /// The robot with what was advised.
     #[pyo3(signature = (change="armature", /))]
     fn mended(&self, change: &str) -> Result<Model, Failure> {
         let change = match change {
@@ -258,7 +263,7 @@ pub fn worst_case<'py>(
     Ok(all)
 }
 
-/// The claims of both papers, printed against computed.
+/// The claims of Featherstone (2004) and Shah & Saha (2013), printed against computed; all, or those named.
 #[pyfunction]
 #[pyo3(signature = (*ids, quick=false))]
 pub fn reproduce<'py>(py: Python<'py>, ids: Vec<String>, quick: bool) -> Result<Bound<'py, PyAny>, Failure> {

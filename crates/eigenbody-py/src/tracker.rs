@@ -19,7 +19,7 @@ self_cell!(
     }
 );
 
-/// λmin and λmax along a motion, exact, at about one factorisation a step.
+/// λmin and λmax along a motion, exact, at about one factorisation a step. Starts at q.
 #[pyclass(module = "eigenbody", frozen)]
 pub struct Tracker {
     cell: Mutex<Cell>,
@@ -53,7 +53,7 @@ impl Tracker {
         Ok(Self { cell: Mutex::new(cell), shared })
     }
 
-    /// λmin and λmax at the next q, or at each of a batch in turn.
+    /// λmin and λmax at the next q, (2,), or at each row of a batch in turn, (k, 2).
     #[pyo3(signature = (q, /))]
     fn update<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> Result<Bound<'py, PyAny>, Failure> {
         let rows = Rows::<f64>::new("q", q, self.shared.nq)?;
@@ -84,14 +84,14 @@ impl Tracker {
         Ok(array.into_any())
     }
 
-    /// The latest mode of λmin.
+    /// The latest mode of λmin, (nv,).
     #[getter]
     fn softest<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let mode: Vec<f64> = self.with(|tracker| tracker.mode(0).collect());
         PyArray1::from_vec(py, mode)
     }
 
-    /// The latest mode of λmax.
+    /// The latest mode of λmax, (nv,).
     #[getter]
     fn stiffest<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let mode: Vec<f64> = self.with(|tracker| tracker.mode(1).collect());
