@@ -16,13 +16,15 @@ from eigenbody._errors import InputError
 AHEAD = 64
 
 
-@lru_cache(maxsize=4)
-def _plan(text: str, folder: str, fingerprint: str) -> SweepPlan:
+def _read(text: str, folder: str, fingerprint: str) -> SweepPlan:
     """A worker's plan. It is kept as long as robots' files are those of the fingerprint."""
     plan = SweepPlan(text, folder)
     if plan.fingerprint != fingerprint:
         raise InputError("spec: a robot's file is not the same here as where the sweep was planned", what="spec")
     return plan
+
+
+_plan = lru_cache(maxsize=4)(_read)
 
 
 def _compute(text: str, folder: str, fingerprint: str, number: int) -> bytes:
