@@ -1,5 +1,6 @@
 //! Rows of numbers from whatever Python has, and into arrays of the caller's.
 
+use crate::compute::{Progress, compute};
 use crate::error::Failure;
 use eigenbody::scalar::Real;
 use numpy::{
@@ -8,6 +9,7 @@ use numpy::{
 };
 use pyo3::intern;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use std::borrow::Cow;
 
 /// What arrays hold: f32 or f64.
@@ -56,10 +58,14 @@ impl<'py, T: Number> Rows<'py, T> {
     }
 
     /// All numbers, row by row.
-    pub fn numbers(&self) -> Cow<'_, [T]> {
+    pub fn numbers(&self) -> Result<Cow<'_, [T]>, Failure> {
         match self.array.as_slice() {
-            Ok(slice) if self.array.is_c_contiguous() => Cow::Borrowed(slice),
-            _ => Cow::Owned(self.array.as_array().iter().copied().collect()),
+            Ok(slice) if self.array.is_c_contiguous() => Ok(Cow::Borrowed(slice)),
+            _ => {
+                let mut numbers = room(self.array.len())?;
+                numbers.extend(self.array.as_array().iter().copied());
+                Ok(Cow::Owned(numbers))
+            }
         }
     }
 
@@ -67,6 +73,30 @@ impl<'py, T: Number> Rows<'py, T> {
     pub fn width(&self) -> usize {
         self.width
     }
+}
+
+/// An empty list with room for so many.
+pub fn room<T>(count: usize) -> Result<Vec<T>, Failure> {
+    let mut list = Vec::new();
+    let size = count.saturating_mul(size_of::<T>());
+    list.try_reserve_exact(count).map_err(|_| Failure::Memory(size))?;
+    Ok(list)
+}
+
+/// Finds numpy and its functions in C, where its absence is an ImportError and Ctrl-C a KeyboardInterrupt: later both would be panics.
+pub fn find_numpy(py: Python<'_>) -> PyResult<()> {
+    let empty = py.import(intern!(py, "numpy"))?.call_method1(intern!(py, "zeros"), (0,))?;
+    empty.cast_into::<PyArrayDyn<f64>>()?;
+    Ok(())
+}
+
+/// A new array.
+pub fn zeros<'py, T: Number>(py: Python<'py>, shape: &[usize]) -> Result<Bound<'py, PyArrayDyn<T>>, Failure> {
+    // By numpy's Python function: that of C tells no failure.
+    let numpy = py.import(intern!(py, "numpy"))?;
+    let shape = PyTuple::new(py, shape)?;
+    let array = numpy.call_method1(intern!(py, "zeros"), (shape, dtype::<T>(py)))?;
+    Ok(array.cast_into::<PyArrayDyn<T>>().map_err(PyErr::from)?)
 }
 
 /// Lists, integers, other floats: by numpy's own rules, but no text, complex numbers or objects.
@@ -104,7 +134,7 @@ impl<'py, T: Number> Out<'py, T> {
     /// An array of this shape.
     pub fn new(py: Python<'py>, shape: &[usize], out: Option<&Bound<'py, PyAny>>) -> Result<Self, Failure> {
         let Some(out) = out else {
-            return Ok(Self { array: PyArrayDyn::zeros(py, shape, false) });
+            return Ok(Self { array: zeros(py, shape)? });
         };
         let name = if T::EPSILON > 1e-10 { "float32" } else { "float64" };
         let wrong = |found: String| Failure::Type(format!("out is {found}, expected an array of {name}"));
@@ -125,16 +155,15 @@ impl<'py, T: Number> Out<'py, T> {
         Ok(Self { array })
     }
 
-    /// Lets `fill` write the numbers, the interpreter's lock released, and returns the array.
+    /// Lets `fill` write the numbers, the interpreter's lock released, and returns the array. What is not short has all cores, and ends on
+    /// Ctrl-C.
     ///
     /// An array that is not contiguous is written at the end, all at once. After an error, what it holds is undefined.
     pub fn fill(
         self,
-        fill: impl FnOnce(&mut [T]) -> Result<(), Failure> + Send,
-    ) -> Result<Bound<'py, PyAny>, Failure>
-    where
-        Failure: Send,
-    {
+        is_short: bool,
+        fill: impl FnOnce(&mut [T], &Progress<'_>) -> Result<(), Failure> + Send,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
         let py = self.array.py();
         let mut guard: PyReadwriteArrayDyn<'py, T> = self
             .array
@@ -142,10 +171,11 @@ impl<'py, T: Number> Out<'py, T> {
             .map_err(|_| Failure::input("out", "is read-only, or one of the inputs"))?;
         if self.array.is_c_contiguous() {
             let slice = guard.as_slice_mut().map_err(|error| Failure::input("out", error))?;
-            py.detach(|| fill(slice))?;
+            compute(py, is_short, |progress| fill(slice, progress))?;
         } else {
-            let mut numbers = vec![T::ZERO; self.array.len()];
-            py.detach(|| fill(&mut numbers))?;
+            let mut numbers = room(self.array.len())?;
+            numbers.resize(self.array.len(), T::ZERO);
+            compute(py, is_short, |progress| fill(&mut numbers, progress))?;
             guard.as_array_mut().iter_mut().zip(numbers).for_each(|(to, from)| *to = from);
         }
         drop(guard);

@@ -1,6 +1,7 @@
 //! Arrays through the kernels of one robot.
 
 use crate::array::{Number, Out, Rows, all_single, count};
+use crate::compute::go_on;
 use crate::error::Failure;
 use crate::model::{Model, Shared};
 use eigenbody::batch::{Batch, BatchError, Lanes};
@@ -198,7 +199,7 @@ fn apply<'py, T: Precision, const A: usize>(
     let count = count(&named)?;
     let full: Vec<usize> = count.iter().chain(shape).copied().collect();
     let out = Out::new(arguments[0].1.py(), &full, out)?;
-    let numbers: Vec<Cow<'_, [T]>> = rows.iter().map(|(_, rows)| rows.numbers()).collect();
+    let numbers = rows.iter().map(|(_, rows)| rows.numbers()).collect::<Result<Vec<_>, _>>()?;
     let all: [&[T]; A] = std::array::from_fn(|k| numbers[k].as_ref());
     let widths: [usize; A] = std::array::from_fn(|k| rows[k].1.width());
     let strides: [usize; A] =
@@ -208,11 +209,12 @@ fn apply<'py, T: Precision, const A: usize>(
         kernel(robot, work, std::array::from_fn(|i| &all[i][k * strides[i]..][..widths[i]]), out)
     };
     let whole = whole.filter(|_| robot.is_plain() && strides == widths);
-    out.fill(|out| match (count, whole) {
+    out.fill(count.is_none(), |out, progress| match (count, whole) {
         (Some(count), Some(whole)) if count > 0 => Ok(whole(&robot.model, all, out)?),
         (None, _) => robot.with(|work| row(work, 0, out)).map_err(Failure::from),
         (Some(_), _) if size == 0 => Ok(()),
         (Some(_), _) => out.par_chunks_mut(size * GRAIN).enumerate().try_for_each(|(block, out)| {
+            go_on(progress)?;
             robot.with(|work| {
                 out.chunks_mut(size).enumerate().try_for_each(|(k, out)| {
                     let k = block * GRAIN + k;

@@ -4,7 +4,7 @@ use eigenbody::batch::BatchError;
 use eigenbody::{Error, InputError};
 use eigenbody_formats::FormatError;
 use eigenbody_study::StudyError;
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyMemoryError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -22,6 +22,8 @@ pub enum Failure {
     Build(eigenbody::BuildError),
     /// A study.
     Study(StudyError),
+    /// So many bytes were not to be had.
+    Memory(usize),
     /// Raised by Python itself.
     Python(PyErr),
 }
@@ -85,6 +87,9 @@ fn raise(py: Python<'_>, failure: Failure) -> PyResult<PyErr> {
     let details = PyDict::new(py);
     let (class, message) = match failure {
         Failure::Python(error) => return Ok(error),
+        Failure::Memory(size) => {
+            return Ok(PyMemoryError::new_err(format!("unable to allocate {size} bytes")));
+        }
         Failure::Type(message) => return Ok(PyTypeError::new_err(message)),
         Failure::Input { message, what } => {
             details.set_item("what", what)?;

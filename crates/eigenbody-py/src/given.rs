@@ -8,6 +8,7 @@ use eigenbody_formats::motion::Wanted;
 use eigenbody_formats::{gains, velocity};
 use eigenbody_study::simulate::Trajectory;
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyMapping};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -43,7 +44,7 @@ pub enum Table<'py> {
 fn one(what: &str, numbers: &Bound<'_, PyAny>, width: usize) -> Result<Vec<f64>, Failure> {
     let rows = Rows::<f64>::new(what, numbers, width)?;
     match rows.count() {
-        None => Ok(rows.numbers().into_owned()),
+        None => Ok(rows.numbers()?.into_owned()),
         Some(_) => Err(Failure::input(what, format!("is a batch, expected shape ({width},)"))),
     }
 }
@@ -93,6 +94,11 @@ impl Gains<'_> {
                         .ok_or_else(|| Failure::input(what, format!("no moving joint is named '{name}'")))?;
                     joint.dofs().for_each(|d| all[d] = Some(*gain));
                 }
+            }
+            Self::Numbers(mapping) if mapping.hasattr("keys")? => {
+                let named = PyDict::new(mapping.py());
+                named.update(mapping.cast::<PyMapping>().map_err(PyErr::from)?)?;
+                return Self::Named(named.extract()?).read(what, shared);
             }
             Self::Numbers(number) if number.len().is_err() => {
                 let gain = number.extract().map_err(|_| {
@@ -168,7 +174,7 @@ fn numbers(
     if let Some(index) = times.iter().position(|t| !t.is_finite()) {
         return Err(InputError::NotFinite { what: "times", index }.into());
     }
-    let numbers = rows.numbers();
+    let numbers = rows.numbers()?;
     let rows = (0..count).map(|k| all(&numbers[k * given..(k + 1) * given])).collect();
     Trajectory::new(times, rows, width).map_err(|error| Failure::input(what, error))
 }

@@ -11,6 +11,7 @@
 
 mod array;
 mod build;
+mod compute;
 mod dynamics;
 mod error;
 mod functions;
@@ -41,6 +42,7 @@ mod _eigenbody {
     #[pymodule_init]
     fn init(module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
         use pyo3::types::PyModuleMethods;
+        crate::array::find_numpy(module.py())?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -7,6 +7,7 @@ use eigenbody::{Base, Reduction};
 use eigenbody_formats::{
     LoadOptions, Loaded, MjcfOptions, SdfOptions, UrdfOptions, load, read_mjcf, read_sdf, read_urdf,
 };
+use eigenbody_study::diagnosis::Drive;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -16,6 +17,8 @@ use std::sync::{Arc, OnceLock};
 pub struct Shared {
     pub robot: Robot<f64>,
     pub single: OnceLock<Robot<f32>>,
+    /// How its source drives and steps it.
+    pub drive: Drive,
     /// The file or expression, if there was one.
     pub loaded: Option<Loaded>,
     pub name: String,
@@ -28,11 +31,24 @@ pub struct Shared {
 }
 
 /// A robot: a tree of rigid bodies and joints.
+///
+/// `model` is a URDF, MJCF or SDF file, `puma560`, a family such as ``'hydra(40,1,0,1)'``, or `Parts`. `mimic`: mimic joints follow
+/// (None: as the command line); `reduced`: a floating base is removed, H is H*; `rotors`: rotor inertia of URDF transmissions
+/// counts. Raises ModelError with file, line and column.
+///
+/// Every function of q takes ``(nq,)`` or a batch ``(k, nq)``; a single row stands in for every row of a batch; `out` takes
+/// the result. If all arrays are float32, dynamics are computed and given in it; spectra are always float64.
 #[pyclass(module = "eigenbody", frozen, weakref)]
 pub struct Model {
     pub shared: Arc<Shared>,
-    /// What `__new__` was called with, for pickling.
-    source: Option<Py<PyDict>>,
+    /// What makes it again, for pickling.
+    source: Option<Source>,
+}
+
+/// The constructor that was called with the model's name, and its options.
+struct Source {
+    constructor: &'static str,
+    options: Options,
 }
 
 /// Options of every constructor.
@@ -55,6 +71,18 @@ impl Options {
             return Err(Failure::input("reduced", "removes a floating base: add base='floating'"));
         }
         Ok(Self { base, mimic, reduced, rotors })
+    }
+
+    /// As a constructor takes them.
+    fn named<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let named = PyDict::new(py);
+        named.set_item("base", if self.base == Base::Fixed { "fixed" } else { "floating" })?;
+        named.set_item("mimic", self.mimic)?;
+        named.set_item("reduced", self.reduced)?;
+        if self.rotors {
+            named.set_item("rotors", true)?;
+        }
+        Ok(named)
     }
 }
 
@@ -86,14 +114,21 @@ impl Shared {
 }
 
 impl Model {
-    fn of(loaded: Loaded, name: String, options: Options) -> Result<Self, Failure> {
+    fn of(
+        constructor: &'static str,
+        loaded: Loaded,
+        name: String,
+        options: Options,
+    ) -> Result<Self, Failure> {
         let loaded = if options.rotors { loaded.with_rotors()? } else { loaded };
         let reduction = Reduction {
             mimic: options.mimic.unwrap_or(loaded.mimic),
             base: options.base == Base::Floating && (options.reduced || loaded.is_family()),
         };
         let findings = if loaded.is_family() { Vec::new() } else { loaded.findings() };
-        Ok(Self::assemble(loaded.model.clone(), reduction, name, findings, Some(loaded)))
+        let source = Some(Source { constructor, options });
+        let (model, drive) = (loaded.model.clone(), Drive::of(&loaded));
+        Ok(Self { source, ..Self::assemble(model, reduction, name, findings, drive, Some(loaded)) })
     }
 
     fn assemble(
@@ -101,26 +136,34 @@ impl Model {
         reduction: Reduction,
         name: String,
         findings: Vec<String>,
+        drive: Drive,
         loaded: Option<Loaded>,
     ) -> Self {
         let coupling = model.coupling().filter(|_| reduction.mimic);
         let (nq, nv) = coupling.map_or((model.nq(), model.nv()), |coupling| (coupling.nq(), coupling.nv()));
         let dofs = reduction.dofs(&model).into_iter().map(|d| model.dof_name(d)).collect();
         let robot = Robot::new(model, reduction);
-        let shared = Shared { robot, single: OnceLock::new(), loaded, name, nq, nv, dofs, findings };
+        let shared = Shared { robot, single: OnceLock::new(), drive, loaded, name, nq, nv, dofs, findings };
         Self { shared: Arc::new(shared), source: None }
     }
 
     /// The same robot with another model.
     pub fn with(shared: &Shared, model: eigenbody::Model<f64>) -> Self {
-        let Shared { robot, name, findings, loaded, .. } = shared;
-        Self::assemble(model, robot.reduction, name.clone(), findings.clone(), loaded.clone())
+        let Shared { robot, name, findings, drive, loaded, .. } = shared;
+        let (findings, drive) = (findings.clone(), drive.clone());
+        Self::assemble(model, robot.reduction, name.clone(), findings, drive, loaded.clone())
     }
 
-    fn family(text: String, base: &str) -> Result<Self, Failure> {
-        let options = Options::new(base, None, false, false)?;
-        let loaded = load(&text, &LoadOptions { base: options.base, size_ratio: None })?;
-        Self::of(loaded, text, options)
+    fn family(py: Python<'_>, text: String, base: &str) -> Result<Self, Failure> {
+        Self::load(py, text, Options::new(base, None, false, false)?)
+    }
+
+    /// A path or an expression.
+    fn load(py: Python<'_>, text: String, options: Options) -> Result<Self, Failure> {
+        py.detach(|| {
+            let loaded = load(&text, &LoadOptions { base: options.base, size_ratio: None })?;
+            Self::of("Model", loaded, text, options)
+        })
     }
 }
 
@@ -141,8 +184,9 @@ impl Model {
             let parts = parts.get();
             let built = parts.build(options.base)?;
             let reduction = Reduction { mimic: options.mimic.unwrap_or(true), base: options.reduced };
-            let findings = built.findings().iter().map(ToString::to_string).collect();
-            return Ok(Self::assemble(built, reduction, parts.name.clone(), findings, None));
+            let findings = built.findings().iter().map(ToString::to_string).chain(parts.notes()).collect();
+            let drive = Drive { springs: parts.springs(&built), ..Drive::default() };
+            return Ok(Self::assemble(built, reduction, parts.name.clone(), findings, drive, None));
         }
         let text = match model.extract::<String>() {
             Ok(text) => text,
@@ -152,15 +196,10 @@ impl Model {
                 .to_string_lossy()
                 .into_owned(),
         };
-        let loaded = py.detach(|| load(&text, &LoadOptions { base: options.base, size_ratio: None }))?;
-        let source = PyDict::new(py);
-        source.set_item("base", base)?;
-        source.set_item("mimic", mimic)?;
-        source.set_item("reduced", reduced)?;
-        source.set_item("rotors", rotors)?;
-        Ok(Self { source: Some(source.unbind()), ..Self::of(loaded, text, options)? })
+        Self::load(py, text, options)
     }
 
+    /// A URDF file.
     #[staticmethod]
     #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false, rotors=false))]
     fn from_urdf(
@@ -173,9 +212,10 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, rotors)?;
         let loaded = py.detach(|| read_urdf(&path, &UrdfOptions { base: options.base }))?;
-        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_urdf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
+    /// An MJCF file.
     #[staticmethod]
     #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false))]
     fn from_mjcf(
@@ -187,9 +227,10 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, false)?;
         let loaded = py.detach(|| read_mjcf(&path, &MjcfOptions { base: options.base }))?;
-        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_mjcf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
+    /// An SDF file.
     #[staticmethod]
     #[pyo3(signature = (path, /, *, base="fixed", mimic=None, reduced=false))]
     fn from_sdf(
@@ -201,38 +242,65 @@ impl Model {
     ) -> Result<Self, Failure> {
         let options = Options::new(base, mimic, reduced, false)?;
         let loaded = py.detach(|| read_sdf(&path, &SdfOptions { base: options.base }))?;
-        Self::of(loaded, path.to_string_lossy().into_owned(), options)
+        Self::of("from_sdf", loaded, path.to_string_lossy().into_owned(), options)
     }
 
+    /// Featherstone's hydra: n tubes of 1 m and 1 kg, each `taper` times as large as its parent.
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
-    fn hydra(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
-        Self::family(format!("hydra({n},{branching:?},{skew:?},{taper:?})"), base)
+    fn hydra(
+        py: Python<'_>,
+        n: usize,
+        branching: f64,
+        skew: f64,
+        taper: f64,
+        base: &str,
+    ) -> Result<Self, Failure> {
+        Self::family(py, format!("hydra({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
+    /// Featherstone's onion: hydra with all joints in one place.
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
-    fn onion(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
-        Self::family(format!("onion({n},{branching:?},{skew:?},{taper:?})"), base)
+    fn onion(
+        py: Python<'_>,
+        n: usize,
+        branching: f64,
+        skew: f64,
+        taper: f64,
+        base: &str,
+    ) -> Result<Self, Failure> {
+        Self::family(py, format!("onion({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
+    /// Hydra's links with joints of every kind.
     #[staticmethod]
     #[pyo3(signature = (n, /, branching=1.0, skew=0.0, taper=1.0, *, base="fixed"))]
-    fn auto_tree(n: usize, branching: f64, skew: f64, taper: f64, base: &str) -> Result<Self, Failure> {
-        Self::family(format!("auto_tree({n},{branching:?},{skew:?},{taper:?})"), base)
+    fn auto_tree(
+        py: Python<'_>,
+        n: usize,
+        branching: f64,
+        skew: f64,
+        taper: f64,
+        base: &str,
+    ) -> Result<Self, Failure> {
+        Self::family(py, format!("auto_tree({n},{branching:?},{skew:?},{taper:?})"), base)
     }
 
+    /// n slender rods, horizontal at q = 0.
     #[staticmethod]
     #[pyo3(signature = (n, /, *, mass=1.0, length=1.0))]
-    fn chain(n: usize, mass: f64, length: f64) -> Result<Self, Failure> {
-        Self::family(format!("chain({n}, m={mass:?}, l={length:?})"), "fixed")
+    fn chain(py: Python<'_>, n: usize, mass: f64, length: f64) -> Result<Self, Failure> {
+        Self::family(py, format!("chain({n}, m={mass:?}, l={length:?})"), "fixed")
     }
 
+    /// The PUMA 560.
     #[staticmethod]
-    fn puma560() -> Result<Self, Failure> {
-        Self::family("puma560".into(), "fixed")
+    fn puma560(py: Python<'_>) -> Result<Self, Failure> {
+        Self::family(py, "puma560".into(), "fixed")
     }
 
+    /// A live `pinocchio.Model`: joints in its order. Coordinates are ours; see `Layout`.
     #[staticmethod]
     #[pyo3(signature = (model, /))]
     fn from_pinocchio(py: Python<'_>, model: &Bound<'_, PyAny>) -> Result<Self, Failure> {
@@ -240,6 +308,9 @@ impl Model {
         Self::new(py, &parts, "fixed", None, false, false)
     }
 
+    /// A live `mujoco.MjModel`: joints in its order, with stiffness and damping. Coordinates are ours; see `Layout`.
+    ///
+    /// Actuators, tendons, keyframes and the time step are left out; `findings` says so.
     #[staticmethod]
     #[pyo3(signature = (model, /))]
     fn from_mujoco(py: Python<'_>, model: &Bound<'_, PyAny>) -> Result<Self, Failure> {
@@ -251,13 +322,21 @@ impl Model {
         let py = slf.py();
         let model = slf.get();
         let source = model.source.as_ref().ok_or_else(|| {
+            let name = &model.shared.name;
             Failure::Type(format!(
-                "only a Model(path or expression) can be pickled, and '{}' is none",
-                model.shared.name
+                "only a Model of a file or an expression can be pickled, and '{name}' is none"
             ))
         })?;
         let rebuild = py.import("eigenbody._live")?.getattr("rebuild")?;
-        let arguments = (model.shared.name.clone(), source.bind(py));
+        let arguments = (source.constructor, model.shared.name.clone(), source.options.named(py)?);
         Ok((rebuild, arguments).into_pyobject(py)?.into_any())
+    }
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
     }
 }

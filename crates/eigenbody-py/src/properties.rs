@@ -1,11 +1,14 @@
 //! What a `Model` is: names, limits, configurations, copies with something changed.
 
+use crate::array::Out;
+use crate::compute::go_on;
 use crate::error::Failure;
 use crate::model::{Model, Shared};
 use eigenbody_formats::{Loaded, write_mjcf, write_urdf, write_urdf_with_rotors};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 
 #[pymethods]
 impl Model {
@@ -21,42 +24,49 @@ impl Model {
         format!("<eigenbody.Model '{name}': {bodies} bodies, {base} base, nq {nq}, nv {nv}{rows}>")
     }
 
+    /// What it was made of.
     #[getter]
     fn name(&self) -> &str {
         &self.shared.name
     }
 
+    /// Numbers in q.
     #[getter]
     fn nq(&self) -> usize {
         self.shared.nq
     }
 
+    /// Degrees of freedom: numbers in v.
     #[getter]
     fn nv(&self) -> usize {
         self.shared.nv
     }
 
+    /// Moving bodies.
     #[getter]
     fn nbodies(&self) -> usize {
         self.shared.robot.model.bodies().len()
     }
 
+    /// The first joint is a floating base.
     #[getter]
     fn has_floating_base(&self) -> bool {
         self.shared.robot.model.has_floating_base()
     }
 
+    /// One name a row of H.
     #[getter]
     fn dof_names(&self) -> Vec<String> {
         self.shared.dofs.clone()
     }
 
+    /// All links, merged ones included.
     #[getter]
     fn link_names(&self) -> Vec<String> {
         self.shared.robot.model.links().iter().map(|link| link.name().to_owned()).collect()
     }
 
-    /// Name, kind, first coordinate, first DoF of every moving joint.
+    /// Name, kind, first coordinate and first degree of freedom of every moving joint, among all of them.
     #[getter]
     fn joints(&self) -> Vec<(String, &'static str, usize, usize)> {
         let joint = |joint: &eigenbody::model::JointInfo<f64>| {
@@ -65,7 +75,7 @@ impl Model {
         self.shared.robot.model.joints().iter().map(joint).collect()
     }
 
-    /// Lower and upper limit of every coordinate; infinite where there is none.
+    /// (2, nq): lower and upper limits, infinite where there is none.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
         let model = &self.shared.robot.model;
@@ -80,21 +90,25 @@ impl Model {
         PyArray2::from_vec2(py, &columns).unwrap_or_else(|_| PyArray2::zeros(py, [2, 0], false))
     }
 
+    /// Rotor inertia reflected to each degree of freedom (kg m², kg), those of mimic joints and a floating base included.
     #[getter]
     fn armature<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.shared.robot.model.armature())
     }
 
+    /// (3,): m/s².
     #[getter]
     fn gravity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.shared.robot.model.gravity().to_array())
     }
 
+    /// What is suspicious about the model, with file and line.
     #[getter]
     fn findings(&self) -> Vec<String> {
         self.shared.findings.clone()
     }
 
+    /// Configurations that the file names.
     #[getter]
     fn keyframes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let keyframes = PyDict::new(py);
@@ -104,10 +118,12 @@ impl Model {
         Ok(keyframes)
     }
 
+    /// (nq,): zero, quaternions the identity.
     fn neutral<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_vec(py, self.shared.given(&self.shared.robot.model.neutral()))
     }
 
+    /// A random configuration within limits, (nq,), or `count` of them, (count, nq): of seeds seed, seed + 1, ..
     #[pyo3(signature = (seed=1, count=None))]
     fn random<'py>(
         &self,
@@ -115,16 +131,19 @@ impl Model {
         seed: u64,
         count: Option<usize>,
     ) -> Result<Bound<'py, PyAny>, Failure> {
-        let row = |seed| self.shared.given(&self.shared.robot.model.random(seed));
+        let shared = &self.shared;
+        let row = |seed| shared.given(&shared.robot.model.random(seed));
         let Some(count) = count else { return Ok(PyArray1::from_vec(py, row(seed)).into_any()) };
-        let mut numbers = Vec::with_capacity(count.saturating_mul(self.shared.nq).min(1 << 26));
-        for k in 0..count as u64 {
-            numbers.extend(row(seed.wrapping_add(k)));
-        }
-        let array = PyArray1::from_vec(py, numbers);
-        Ok(array.call_method1("reshape", (count, self.shared.nq))?)
+        Out::<f64>::new(py, &[count, shared.nq], None)?.fill(false, |out, progress| {
+            out.par_chunks_mut(shared.nq.max(1)).enumerate().try_for_each(|(k, out)| {
+                go_on(progress)?;
+                out.copy_from_slice(&row(seed.wrapping_add(k as u64)));
+                Ok(())
+            })
+        })
     }
 
+    /// What the command line's `--at` takes: 'zag(pi/2)', 'elbow=0.3', 'random(7)', a keyframe's name.
     #[pyo3(signature = (text, /))]
     pub fn configuration<'py>(
         &self,
@@ -135,20 +154,23 @@ impl Model {
         Ok(PyArray1::from_vec(py, self.shared.given(&q)))
     }
 
+    /// The same with other armature, one number for each that `armature` has.
     #[pyo3(signature = (armature, /))]
     fn with_armature(&self, armature: &Bound<'_, PyAny>) -> Result<Self, Failure> {
         let model = &self.shared.robot.model;
         let rows = crate::array::Rows::<f64>::new("armature", armature, model.nv())?;
-        let changed = model.clone().with_armature(rows.numbers().to_vec())?;
+        let changed = model.clone().with_armature(rows.numbers()?.into_owned())?;
         Ok(Self::with(&self.shared, changed))
     }
 
+    /// The same with other gravity, (3,), m/s².
     #[pyo3(signature = (gravity, /))]
     fn with_gravity(&self, gravity: [f64; 3]) -> Result<Self, Failure> {
         let gravity = eigenbody::spatial::Vec3::from_f64(gravity);
         Ok(Self::with(&self.shared, self.shared.robot.model.clone().with_gravity(gravity)?))
     }
 
+    /// As URDF, fixed joints merged; `rotors`: armature as rotors of transmissions, which `Model(.., rotors=True)` reads.
     #[pyo3(signature = (*, rotors=false))]
     fn to_urdf(&self, rotors: bool) -> Result<String, Failure> {
         let model = &self.shared.robot.model;
@@ -156,6 +178,7 @@ impl Model {
         text.map_err(|error| Failure::input("model", error))
     }
 
+    /// As MJCF, fixed joints merged.
     fn to_mjcf(&self) -> Result<String, Failure> {
         write_mjcf(&self.shared.robot.model).map_err(|error| Failure::input("model", error))
     }

@@ -1,5 +1,6 @@
 //! `Model.simulate`: motions with monitors, the numbers of `eigenbody simulate`.
 
+use crate::compute::in_parallel;
 use crate::error::Failure;
 use crate::given::{At, Gains, Table};
 use crate::model::{Model, Shared};
@@ -13,14 +14,11 @@ use eigenbody_study::{Cell, Shape};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::cell::RefCell;
+use std::cell::Cell as Kept;
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
 
 /// Numbers that a motion may have in memory.
 const MOST: f64 = 1e9;
-/// How often Ctrl-C is looked for.
-const PAUSE: Duration = Duration::from_millis(50);
 
 /// What is asked for, by its names in Python.
 pub struct Asked<'py> {
@@ -93,7 +91,7 @@ impl Asked<'_> {
 
     fn forces(&self, shared: &Shared) -> Result<Forces, Failure> {
         let model = &shared.robot.model;
-        let own = shared.loaded.as_ref().filter(|_| self.springs).map_or(&[][..], |own| &own.springs[..]);
+        let own = if self.springs { &shared.drive.springs[..] } else { &[] };
         let read = |what: &str, gains: &Option<Gains<'_>>| match gains {
             Some(gains) => gains.read(what, shared),
             None => Ok(Vec::new()),
@@ -182,24 +180,21 @@ pub fn simulate<'py>(
 
     let mut rows = Rows::default();
     let events = &asked.events;
-    let outcome = py.detach(|| {
+    let outcome = in_parallel(py, |progress| {
         // Ctrl-C is an event like any other: it is looked for at every step.
-        let (interrupted, mut last) = (RefCell::new(None), Instant::now());
+        let interrupted = Kept::new(false);
         let mut watches = joint_limits(&moving);
         for text in events {
             watches.push(crossing(text)?);
         }
-        watches.push(Watch::new("interrupted", "", |_| {
-            if interrupted.borrow().is_none() && last.elapsed() > PAUSE {
-                last = Instant::now();
-                *interrupted.borrow_mut() = Python::attach(ctrl_c).err();
-            }
-            if interrupted.borrow().is_some() { 1.0 } else { -1.0 }
+        watches.push(Watch::new("interrupted", "", "interrupted", |_| {
+            interrupted.set(progress(0).is_break());
+            if interrupted.get() { 1.0 } else { -1.0 }
         }));
         let mut failure = None;
         let outcome = simulation.run(time, intervals as usize, &mut watches, &mut |report| {
             match report {
-                Report::Event(_) if interrupted.borrow().is_some() => return ControlFlow::Break(()),
+                Report::Event(_) if interrupted.get() => return ControlFlow::Break(()),
                 Report::Event(event) => rows.events.push((event.t, event.what)),
                 Report::Sample(state) => match monitors.observe(state) {
                     Ok(cells) => {
@@ -217,11 +212,7 @@ pub fn simulate<'py>(
             ControlFlow::Continue(())
         });
         drop(watches);
-        match (interrupted.into_inner(), failure) {
-            (Some(error), _) => Err(Failure::Python(error)),
-            (None, Some(failure)) => Err(failure),
-            (None, None) => Ok(outcome),
-        }
+        failure.map_or(Ok(outcome), Err)
     })?;
     let note = match outcome {
         Ok(_) => None,
@@ -251,11 +242,6 @@ pub fn simulate<'py>(
     details.set_item("note", note)?;
     details.set_item("t", PyArray1::from_vec(py, rows.t))?;
     Ok(py.import("eigenbody._results")?.getattr("Motion")?.call((), Some(&details))?)
-}
-
-/// The exception that Ctrl-C raises.
-pub fn ctrl_c(py: Python<'_>) -> PyResult<()> {
-    py.check_signals()
 }
 
 fn refused(error: SimulationError) -> Failure {

@@ -1,9 +1,9 @@
 //! What takes longer: checks, searches, the papers.
 
+use crate::compute::in_parallel;
 use crate::error::Failure;
 use crate::given::Gains;
 use crate::model::{Model, Shared};
-use crate::simulate::ctrl_c;
 use eigenbody::search::{Effort, survey};
 use eigenbody::stability::Integrator;
 use eigenbody_report::{
@@ -17,17 +17,8 @@ use eigenbody_study::{Lab, select};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::ops::ControlFlow;
-use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::thread;
-use std::time::Duration;
-
-/// How often Ctrl-C is looked for.
-const PAUSE: Duration = Duration::from_millis(50);
 
 fn effort((samples, seed): (u32, u32)) -> Result<Effort, Failure> {
     if !(1..=65_536).contains(&samples) {
@@ -80,7 +71,7 @@ impl Look<'_, '_> {
 
     fn drive(&self, shared: &Shared) -> Result<Drive, Failure> {
         let model = &shared.robot.model;
-        let mut drive = shared.loaded.as_ref().map(Drive::of).unwrap_or_default();
+        let mut drive = shared.drive.clone();
         let [kp, kd] = &self.gains;
         if let Some(kp) = kp {
             drive = drive.with_stiffness(model, &kp.read("kp", shared)?);
@@ -149,7 +140,7 @@ impl Look<'_, '_> {
     }
 }
 
-/// A robot that was examined: what a `Diagnosis` is made of, and pages and mended robots are made from.
+/// What a `Diagnosis` was made from.
 #[pyclass(module = "eigenbody._eigenbody", frozen)]
 pub struct Examination {
     shared: Arc<Shared>,
@@ -161,14 +152,17 @@ pub struct Examination {
 
 #[pymethods]
 impl Examination {
+    /// What `eigenbody check --format json` prints.
     fn to_json(&self) -> Result<String, Failure> {
         self.report.to_json().map_err(|error| Failure::input("model", error))
     }
 
+    /// What `eigenbody check --format sarif` prints.
     fn to_sarif(&self) -> Result<String, Failure> {
         self.report.to_sarif().map_err(|error| Failure::input("model", error))
     }
 
+    /// What `eigenbody check` prints.
     fn to_text(&self) -> String {
         let Self { found, advice, report, .. } = self;
         let advice: String = advice.iter().map(|(goal, found)| advice_text(*goal, found)).collect();
@@ -176,15 +170,17 @@ impl Examination {
         diagnosis_text(&report.model, found, &report.model_findings) + &advice + &against
     }
 
+    /// What `eigenbody report` writes.
     fn to_html(&self, py: Python<'_>) -> Result<String, Failure> {
         let Self { shared, question, found, report, .. } = self;
         let model = &shared.robot.model;
-        py.detach(|| {
+        in_parallel(py, |_| {
             let worst = worst_portraits(model, question, found)?;
             Ok(Page::new(report.clone(), model, question, found, worst, None).to_html())
         })
     }
 
+    /// The robot with what was advised.
     #[pyo3(signature = (change="armature", /))]
     fn mended(&self, change: &str) -> Result<Model, Failure> {
         let change = match change {
@@ -206,45 +202,6 @@ impl Examination {
     }
 }
 
-/// What is asked before each configuration whether to go on.
-type Progress<'a> = dyn Fn(usize) -> ControlFlow<()> + Sync + 'a;
-
-/// Runs a search beside the thread that signals come to, and ends it on Ctrl-C.
-fn interruptible<T: Send>(
-    py: Python<'_>,
-    search: impl FnOnce(&Progress<'_>) -> Result<T, Failure> + Send,
-) -> Result<T, Failure> {
-    let unwanted = AtomicBool::new(false);
-    let progress = |_| match unwanted.load(Relaxed) {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
-    };
-    let mut signal = Ok(());
-    let found = py.detach(|| {
-        thread::scope(|scope| {
-            let (tell, told) = channel::<()>();
-            let run = scope.spawn(|| {
-                let found = search(&progress);
-                drop(tell);
-                found
-            });
-            // Nothing is ever sent: the channel closes with the search.
-            while let Err(RecvTimeoutError::Timeout) = told.recv_timeout(PAUSE) {
-                if signal.is_ok() {
-                    signal = Python::attach(ctrl_c);
-                    unwanted.store(signal.is_err(), Relaxed);
-                }
-            }
-            match run.join() {
-                Ok(found) => found,
-                Err(panic) => resume_unwind(panic),
-            }
-        })
-    });
-    signal?;
-    found
-}
-
 /// What `eigenbody check --format json` prints, as a `Diagnosis`.
 pub fn check<'py>(
     model: &Model,
@@ -256,7 +213,7 @@ pub fn check<'py>(
     let goal = look.goal(&question.drive)?;
     let baseline = look.baseline()?;
     let robot = &shared.robot;
-    let (found, advice) = interruptible(py, |progress| {
+    let (found, advice) = in_parallel(py, |progress| {
         let found = diagnose(&robot.model, &question, progress)?;
         let Question { reduction, effort, drive, .. } = &question;
         let advice = match goal {
@@ -294,7 +251,7 @@ pub fn worst_case<'py>(
 ) -> Result<Bound<'py, PyDict>, Failure> {
     let shared = &model.shared;
     let (metric, effort) = (eigenbody_formats::metric(metric)?, effort(look)?);
-    let found = interruptible(py, |progress| {
+    let found = in_parallel(py, |progress| {
         Ok(survey(&shared.robot.model, shared.robot.reduction, &metric, effort, progress)?)
     })?;
     let class = py.import("eigenbody._results")?.getattr("WorstCase")?;
@@ -306,7 +263,7 @@ pub fn worst_case<'py>(
     Ok(all)
 }
 
-/// The claims of both papers, printed against computed.
+/// The claims of Featherstone (2004) and Shah & Saha (2013), printed against computed; all, or those named.
 #[pyfunction]
 #[pyo3(signature = (*ids, quick=false))]
 pub fn reproduce<'py>(py: Python<'py>, ids: Vec<String>, quick: bool) -> Result<Bound<'py, PyAny>, Failure> {
@@ -315,9 +272,7 @@ pub fn reproduce<'py>(py: Python<'py>, ids: Vec<String>, quick: bool) -> Result<
     let lab = Lab { quick, ..Lab::default() };
     let mut readings = Vec::new();
     for experiment in experiments {
-        readings.extend(py.detach(|| experiment.run(&lab))?.readings);
-        // A study takes minutes: Ctrl-C is heard between two.
-        py.check_signals()?;
+        readings.extend(in_parallel(py, |_| Ok(experiment.run(&lab)?))?.readings);
     }
     let json = claims_json(readings.iter()).map_err(|error| Failure::input("ids", error))?;
     Ok(py.import("json")?.call_method1("loads", (json,))?)

@@ -19,7 +19,7 @@ self_cell!(
     }
 );
 
-/// λmin and λmax along a motion, exact, at about one factorisation a step.
+/// λmin and λmax along a motion, exact, at about one factorisation a step. Starts at q.
 #[pyclass(module = "eigenbody", frozen)]
 pub struct Tracker {
     cell: Mutex<Cell>,
@@ -45,7 +45,7 @@ impl Tracker {
         }
         let metric = eigenbody_formats::metric(metric)?;
         let rows = Rows::<f64>::new("q", q, shared.nq)?;
-        let numbers = rows.numbers();
+        let numbers = rows.numbers()?;
         let start = &numbers[..shared.nq.min(numbers.len())];
         let cell = Cell::try_new(Arc::clone(&shared), |shared| {
             Inner::new(&shared.robot.model, start, &metric, reduction.base)
@@ -53,11 +53,11 @@ impl Tracker {
         Ok(Self { cell: Mutex::new(cell), shared })
     }
 
-    /// λmin and λmax at the next q, or at each of a batch in turn.
+    /// λmin and λmax at the next q, (2,), or at each row of a batch in turn, (k, 2).
     #[pyo3(signature = (q, /))]
     fn update<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> Result<Bound<'py, PyAny>, Failure> {
         let rows = Rows::<f64>::new("q", q, self.shared.nq)?;
-        let numbers = rows.numbers();
+        let numbers = rows.numbers()?;
         let (numbers, width) = (numbers.as_ref(), rows.width());
         let is_batch = rows.count().is_some();
         let count = rows.count().unwrap_or(1);
@@ -84,14 +84,14 @@ impl Tracker {
         Ok(array.into_any())
     }
 
-    /// The latest mode of λmin.
+    /// The latest mode of λmin, (nv,).
     #[getter]
     fn softest<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let mode: Vec<f64> = self.with(|tracker| tracker.mode(0).collect());
         PyArray1::from_vec(py, mode)
     }
 
-    /// The latest mode of λmax.
+    /// The latest mode of λmax, (nv,).
     #[getter]
     fn stiffest<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let mode: Vec<f64> = self.with(|tracker| tracker.mode(1).collect());

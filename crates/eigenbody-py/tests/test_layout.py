@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from eigenbody import Layout, Model, Parts
+from eigenbody import InputError, Layout, Model, Parts
 
 RNG = np.random.default_rng(7)
 # Point masses of a base and of a link on a hinge, in the frame of each.
@@ -118,3 +118,53 @@ def test_coordinates_come_back(robot):
         layout = Layout(robot, engine)
         assert np.array_equal(layout.q_from(layout.q_to(q)), q)
         assert np.allclose(layout.v_from(q, layout.v_to(q, v)), v, atol=1e-15)
+
+
+def test_planar_joints():
+    """Energy of a disc on a table, by the velocity of its centre in the table's axes and in its own."""
+    parts = Parts("disc")
+    table, disc = parts.link("table"), parts.link("disc", mass=2.0, com=[0.1, 0.0, 0.0], inertia=np.eye(3).tolist())
+    parts.joint("slide", "planar", parent=table, child=disc)
+    robot = Model(parts)
+    q, v = np.array([0.3, -0.2, 2.5]), np.array([0.4, 0.7, -1.1])
+    energy = 0.5 * v @ robot.mass_matrix(q) @ v
+    pinocchio = Layout(robot, "pinocchio")
+    assert np.allclose(pinocchio.q_to(q), [0.3, -0.2, np.cos(2.5), np.sin(2.5)], rtol=0, atol=1e-15)
+    assert np.allclose(pinocchio.q_from(pinocchio.q_to([q, q])), [q, q], rtol=0, atol=1e-15)
+    assert np.array_equal(pinocchio.v_to(q, v), v)
+    turn = np.array([[np.cos(2.5), -np.sin(2.5)], [np.sin(2.5), np.cos(2.5)]])
+    for engine in ["mujoco", "drake"]:
+        layout = Layout(robot, engine)
+        there = layout.v_to(q, v)
+        assert np.array_equal(layout.q_to(q), q)
+        assert np.allclose(there, [*(turn @ v[:2]), v[2]], rtol=0, atol=1e-15)
+        assert 0.5 * there @ layout.matrix_to(q, robot.mass_matrix(q)) @ there == pytest.approx(energy, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda layout, q: layout.q_to(np.zeros(12)), r"q has shape \(12,\), expected \(..., 8\)"),
+        (lambda layout, q: layout.q_from(np.zeros((2, 12))), "q has shape"),
+        (lambda layout, q: layout.q_from(0.0), "q has shape"),
+        (lambda layout, q: layout.v_to(q, np.zeros(3)), r"v has shape \(3,\), expected \(..., 7\)"),
+        (lambda layout, q: layout.jacobian(np.zeros(7)), "q has shape"),
+        (lambda layout, q: layout.matrix_to(q, np.eye(1)), r"H has shape \(1, 1\), expected \(..., 7, 7\)"),
+    ],
+)
+def test_widths_are_checked(robot, call, words):
+    with pytest.raises(InputError, match=words):
+        call(Layout(robot, "mujoco"), robot.neutral())
+
+
+def test_no_layout_where_mimic_joints_follow(tmp_path):
+    path = tmp_path / "arm.urdf"
+    text = Model.hydra(3).to_urdf()
+    names = [name for name, *_ in Model.hydra(3).joints]
+    head, tail = text.split(f'<joint name="{names[2]}"')
+    first, rest = tail.split("</joint>", 1)
+    path.write_text(f'{head}<joint name="{names[2]}"{first}<mimic joint="{names[1]}"/></joint>{rest}')
+    assert Model(path).nq == 2
+    with pytest.raises(InputError, match="mimic=False"):
+        Layout(Model(path), "pinocchio")
+    assert Layout(Model(path, mimic=False), "mujoco").q_to(np.zeros(3)).shape == (3,)

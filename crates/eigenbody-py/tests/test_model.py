@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import copy
+import inspect
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -156,6 +159,109 @@ def test_models_survive_pickling():
     assert copy.copy(robot).nq == 5
     with pytest.raises(TypeError, match="pickled"):
         pickle.dumps(robot.with_armature(np.ones(5)))
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        Model.puma560,
+        lambda: Model.hydra(3, 2, 0.25, 0.9, base="floating"),
+        lambda: Model.onion(4),
+        lambda: Model.auto_tree(5, 1.5, 0.3, 0.9),
+        lambda: Model.chain(2, mass=3.0, length=0.1),
+    ],
+)
+def test_named_models_survive_pickling(make):
+    robot = make()
+    again = pickle.loads(pickle.dumps(robot))
+    assert repr(again) == repr(robot)
+    assert np.array_equal(again.mass_matrix(again.random(1)), robot.mass_matrix(robot.random(1)))
+
+
+def test_files_survive_pickling(tmp_path):
+    """With the constructor that reads them, whatever they are called."""
+    texts = {"from_urdf": (Model.hydra(3).to_urdf(), "floating"), "from_mjcf": (Model.hydra(3).to_mjcf(), "fixed")}
+    for constructor, (text, base) in texts.items():
+        path = tmp_path / f"{constructor}.txt"
+        path.write_text(text)
+        robot = getattr(Model, constructor)(path, base=base)
+        assert repr(pickle.loads(pickle.dumps(robot))) == repr(robot)
+
+
+def test_what_cannot_change_is_its_own_copy():
+    robot = Model("puma560")
+    heavy = robot.with_armature(np.ones(6))
+    found = robot.check(samples=16)
+    for thing in [robot, heavy, found]:
+        assert copy.copy(thing) is thing and copy.deepcopy(thing) is thing
+    assert copy.copy(found).to_text() == found.to_text()
+    layout = copy.deepcopy(eigenbody.Layout(heavy, "mujoco"))
+    assert np.array_equal(layout.q_to(np.ones(6)), np.ones(6))
+
+
+def test_results_compare_without_error():
+    robot = Model("puma560")
+    q = robot.random(1, 3)
+    makers = [
+        lambda: robot.conditioning(),
+        lambda: robot.conditioning(q),
+        lambda: robot.conditioning().softest,
+        lambda: robot.check(samples=16),
+        lambda: robot.worst_case(samples=16)["kappa"],
+        lambda: robot.simulate(0.05),
+        lambda: eigenbody.Layout(robot, "mujoco"),
+    ]
+    for make in makers:
+        one, other = make(), make()
+        assert one == one and one != other and len({one, other}) == 2
+        assert [other, one].index(one) == 1
+
+
+def test_all_of_a_batch():
+    """Eigenvalues and both error estimates, row by row those of one configuration."""
+    robot = Model.hydra(6)
+    q = robot.random(1, 7)
+    both, alone = robot.conditioning(q, all=True), [robot.conditioning(row, all=True) for row in q]
+    assert np.array_equal(both.eigenvalues, [one.eigenvalues for one in alone])
+    assert np.array_equal(both.error_estimate, [one.error_estimate for one in alone])
+    assert both.to_dict()["eigenvalues"] is both.eigenvalues
+    few = robot.conditioning(q)
+    assert few.eigenvalues is None and "eigenvalues" not in few.to_dict()
+
+
+def test_random_rows_are_those_of_their_seeds():
+    robot = Model.hydra(5, base="floating")
+    assert np.array_equal(robot.random(3, 40), [robot.random(3 + k) for k in range(40)])
+
+
+def test_gains_by_any_mapping():
+    from types import MappingProxyType
+
+    robot = Model("puma560")
+    name = robot.joints[0][0]
+    motions = [robot.simulate(0.1, q="random(1)", damping=gains, monitors=[]).q for gains in ({name: 2}, MappingProxyType({name: 2}))]
+    assert np.array_equal(*motions)
+
+
+def test_everything_says_what_it_is():
+    """Docstrings at run time are those of the stub."""
+    stub = Path(eigenbody.__file__).with_name("_eigenbody.pyi").read_text(encoding="utf-8")
+    told = 0
+    for node in ast.parse(stub).body:
+        if not isinstance(node, ast.ClassDef | ast.FunctionDef):
+            continue
+        thing = getattr(eigenbody._eigenbody, node.name)
+        assert inspect.getdoc(thing) == ast.get_docstring(node), node.name
+        for member in node.body:
+            if isinstance(member, ast.FunctionDef) and (text := ast.get_docstring(member)):
+                assert inspect.getdoc(getattr(thing, member.name)) == text, f"{node.name}.{member.name}"
+                told += 1
+    assert told > 60
+    for name in eigenbody.__all__:
+        thing = getattr(eigenbody, name)
+        for part, value in [("", thing), *(vars(thing).items() if inspect.isclass(thing) else [])]:
+            if not part.startswith("_") and (callable(value) or isinstance(value, property | staticmethod)):
+                assert inspect.getdoc(value), f"{name}.{part}"
 
 
 def test_converted_models_have_the_same_matrix(tmp_path):

@@ -14,6 +14,12 @@ ROBOT = Model("puma560")
 Q = np.zeros(6)
 
 
+def placed(rotation, **options):
+    parts = Parts("p")
+    ends = {"parent": parts.link("a"), "child": parts.link("b")}
+    return parts.joint("j", "revolute", **ends, rotation=rotation, **options)
+
+
 @pytest.mark.parametrize(
     ("call", "error", "words"),
     [
@@ -59,6 +65,12 @@ Q = np.zeros(6)
         (lambda: Layout(ROBOT, "mujoco", ["a"]), InputError, "unknown"),
         (lambda: Layout(ROBOT, "bullet"), InputError, "engine"),
         (lambda: Model(Parts("empty")), ModelError, "no link"),
+        (lambda: Parts("p").link("l", mass=1.0, inertia=[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]), InputError, "'l' is not symmetric"),
+        (lambda: placed([[2, 0, 0], [0, 1, 0], [0, 0, 1]]), InputError, "rotation: .*joint 'j'.*orthonormal"),
+        (lambda: placed([[-1, 0, 0], [0, 1, 0], [0, 0, 1]]), InputError, "right-handed"),
+        (lambda: placed(np.full((3, 3), np.nan)), InputError, "rotation"),
+        (lambda: placed(np.eye(3), damping=[1.0, 2.0]), InputError, "damping: has 2 numbers, expected 1"),
+        (lambda: placed(np.eye(3), stiffness=np.inf), InputError, r"stiffness\[0\]"),
     ],
 )
 def test_refusals(call, error, words):
@@ -158,3 +170,15 @@ def test_results_of_more_than_arrays_leak_nothing():
     turn(3000)
     # Ten times as often: a leaked model or table of a kilobyte a call would be 12 MB.
     assert peak() - before < 4_000
+
+
+def test_a_robot_that_cannot_move_has_empty_batches():
+    """A batch gives what one row gives."""
+    parts = Parts("stone")
+    parts.joint("glue", "fixed", parent=parts.link("ground"), child=parts.link("stone", mass=1.0, inertia=np.eye(3)))
+    stone, none = Model(parts), np.zeros((3, 0))
+    assert np.array_equal(stone.kappa(none), [stone.kappa(none[0])] * 3, equal_nan=True)
+    assert np.array_equal(stone.extremes(none), [stone.extremes(none[0])] * 3, equal_nan=True)
+    assert stone.mass_matrix(none).shape == (3, 0, 0)
+    assert stone.random(1, 3).shape == (3, 0)
+    assert len(stone.conditioning(none, all=True)) == 3

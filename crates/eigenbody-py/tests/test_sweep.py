@@ -225,3 +225,22 @@ def test_another_sweep_is_not_overwritten(tmp_path):
     (tmp_path / "precious" / "data").write_text("keep me")
     with pytest.raises(eigenbody.InputError, match="not empty"):
         eigenbody.sweep(first, tmp_path / "precious")
+
+
+def test_a_changed_robot_is_another_sweep(tmp_path):
+    """The same text in the same process, after a robot's file has changed."""
+    path = tmp_path / "arm.urdf"
+    spec = "[[robots]]\nmodel = 'arm.urdf'\nrandom = 5\n"
+    (tmp_path / "spec.toml").write_text(spec)
+    tables = []
+    for k, taper in enumerate([1.0, 0.5]):
+        path.write_text(eigenbody.Model.hydra(3, 1.0, 0.0, taper).to_urdf())
+        tables.append(eigenbody.sweep(tmp_path / "spec.toml", tmp_path / f"out{k}").read_bytes())
+    assert tables[0] != tables[1]
+    with pytest.raises(eigenbody.InputError, match="another sweep"):
+        eigenbody.sweep(tmp_path / "spec.toml", tmp_path / "out0")
+    with spawned(1) as pool:
+        for k, taper in enumerate([0.9, 0.8]):
+            path.write_text(eigenbody.Model.hydra(3, 1.0, 0.0, taper).to_urdf())
+            here = eigenbody.sweep(tmp_path / "spec.toml", tmp_path / f"here{k}").read_bytes()
+            assert eigenbody.sweep(tmp_path / "spec.toml", tmp_path / f"pool{k}", pool).read_bytes() == here

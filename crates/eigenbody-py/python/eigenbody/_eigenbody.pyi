@@ -2,7 +2,7 @@
 
 import os
 import pathlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, TypeAlias, final, overload
 
 import numpy as np
@@ -14,14 +14,14 @@ __all__ = ["Examination", "Model", "Parts", "SweepPlan", "Tracker", "__version__
 __version__: str
 
 _Floats: TypeAlias = NDArray[np.float64]
-# float64, or float32 if all arrays that were given are float32.
+# float64, or float32 if all arrays that were given are float32: dynamics.
 _Numbers: TypeAlias = NDArray[Any]
 _Base: TypeAlias = Literal["fixed", "floating"]
 _Path: TypeAlias = str | os.PathLike[str]
 _Method: TypeAlias = Literal["auto", "dense", "sturm"]
 _Precision: TypeAlias = Literal["auto", "f64", "dd"]
 # A number for every joint, a text as the command line takes it, numbers by joint, or one a degree of freedom.
-_Gains: TypeAlias = float | str | dict[str, float] | ArrayLike
+_Gains: TypeAlias = float | str | Mapping[str, float] | ArrayLike
 # A file as the command line takes it, or times (k,) and rows (k, n).
 _Table: TypeAlias = _Path | tuple[ArrayLike, ArrayLike]
 
@@ -29,17 +29,17 @@ _Table: TypeAlias = _Path | tuple[ArrayLike, ArrayLike]
 class Parts:
     """A robot given link by link, joints in the order of their degrees of freedom: `Model(parts)` builds it."""
 
-    def __new__(cls, name: str, /, *, gravity: Sequence[float] = ...) -> Parts: ...
+    def __new__(cls, name: str, /, *, gravity: ArrayLike = ...) -> Parts: ...
     def link(
         self,
         name: str,
         /,
         *,
         mass: float = 0.0,
-        com: Sequence[float] = ...,
-        inertia: Sequence[Sequence[float]] = ...,
+        com: ArrayLike = ...,
+        inertia: ArrayLike = ...,
     ) -> int:
-        """Adds a link; its number. Mass in kg, centre of mass in m, inertia (3, 3) about it in kg m², in the link's axes."""
+        """Adds a link; its number. Mass in kg, centre of mass in m, inertia (3, 3), symmetric, about it in kg m², in the link's axes."""
 
     def joint(
         self,
@@ -49,17 +49,23 @@ class Parts:
         *,
         parent: int,
         child: int,
-        rotation: Sequence[Sequence[float]] = ...,
-        position: Sequence[float] = ...,
-        axis: Sequence[float] = ...,
-        armature: Sequence[float] = ...,
+        rotation: ArrayLike = ...,
+        position: ArrayLike = ...,
+        axis: ArrayLike = ...,
+        armature: ArrayLike = ...,
         limits: tuple[float, float] | None = None,
+        stiffness: float = 0.0,
+        damping: ArrayLike = ...,
     ) -> int:
         """Adds a joint between two links; its number.
 
         `kind`: fixed, revolute, continuous, prismatic, cylindrical, planar, spherical or floating. `rotation` (3, 3) and `position`
-        (m) place the joint's frame, which is the child's, in the parent's.
+        (m) place the joint's frame, which is the child's, in the parent's. `armature` and `damping` have one number a degree of
+        freedom; `stiffness` is that of each, slack at zero. Springs and dampers count in `check` and `simulate`.
         """
+
+    def note(self, text: str, /) -> None:
+        """Adds a remark to the model's `findings`."""
 
 @final
 class Model:
@@ -70,7 +76,7 @@ class Model:
     counts. Raises ModelError with file, line and column.
 
     Every function of q takes ``(nq,)`` or a batch ``(k, nq)``; a single row stands in for every row of a batch; `out` takes
-    the result. If all arrays are float32 the computation is.
+    the result. If all arrays are float32, dynamics are computed and given in it; spectra are always float64.
     """
 
     def __new__(
@@ -116,16 +122,21 @@ class Model:
 
     @staticmethod
     def from_mujoco(model: Any, /) -> Model:
-        """A live `mujoco.MjModel`: joints in its order. Coordinates are ours; see `Layout`."""
+        """A live `mujoco.MjModel`: joints in its order, with stiffness and damping. Coordinates are ours; see `Layout`.
+
+        Actuators, tendons, keyframes and the time step are left out; `findings` says so.
+        """
 
     def __reduce__(self) -> tuple[Any, ...]: ...
+    def __copy__(self) -> Model: ...
+    def __deepcopy__(self, memo: Any, /) -> Model: ...
     @property
     def name(self) -> str:
         """What it was made of."""
 
     @property
     def nq(self) -> int:
-        """_Numbers in q."""
+        """Numbers in q."""
 
     @property
     def nv(self) -> int:
@@ -157,7 +168,7 @@ class Model:
 
     @property
     def armature(self) -> _Floats:
-        """Rotor inertia reflected to each degree of freedom (kg m², kg)."""
+        """Rotor inertia reflected to each degree of freedom (kg m², kg), those of mimic joints and a floating base included."""
 
     @property
     def gravity(self) -> _Floats:
@@ -181,9 +192,9 @@ class Model:
         """What the command line's `--at` takes: 'zag(pi/2)', 'elbow=0.3', 'random(7)', a keyframe's name."""
 
     def with_armature(self, armature: ArrayLike, /) -> Model:
-        """The same with other armature, (nv,)."""
+        """The same with other armature, one number for each that `armature` has."""
 
-    def with_gravity(self, gravity: Sequence[float], /) -> Model:
+    def with_gravity(self, gravity: ArrayLike, /) -> Model:
         """The same with other gravity, (3,), m/s²."""
 
     def to_urdf(self, *, rotors: bool = False) -> str:
@@ -324,11 +335,20 @@ class Model:
 class Examination:
     """What a `Diagnosis` was made from."""
 
-    def to_json(self) -> str: ...
-    def to_sarif(self) -> str: ...
-    def to_text(self) -> str: ...
-    def to_html(self) -> str: ...
-    def mended(self, change: str = "armature", /) -> Model: ...
+    def to_json(self) -> str:
+        """What `eigenbody check --format json` prints."""
+
+    def to_sarif(self) -> str:
+        """What `eigenbody check --format sarif` prints."""
+
+    def to_text(self) -> str:
+        """What `eigenbody check` prints."""
+
+    def to_html(self) -> str:
+        """What `eigenbody report` writes."""
+
+    def mended(self, change: str = "armature", /) -> Model:
+        """The robot with what was advised."""
 
 @final
 class Tracker:

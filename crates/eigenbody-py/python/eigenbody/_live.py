@@ -16,9 +16,10 @@ HINGE, SLIDE, BALL, FREE = 3, 2, 1, 0  # mjtJoint
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 
 
-def rebuild(text: str, options: dict[str, Any]) -> Model:
+def rebuild(constructor: str, text: str, options: dict[str, Any]) -> Model:
     """A model from what made it: for pickle."""
-    return Model(text, **options)
+    make = Model if constructor == "Model" else getattr(Model, constructor)
+    return make(text, **options)
 
 
 def pinocchio_parts(model: Any) -> Parts:
@@ -44,7 +45,7 @@ def pinocchio_parts(model: Any) -> Parts:
             own = np.roll(own, 3)
         limits = None
         if joint.nq == 1:
-            limits = float(model.lowerPositionLimit[joint.idx_q]), float(model.upperPositionLimit[joint.idx_q])
+            limits = _limits(model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q])
         parts.joint(
             name,
             kind,
@@ -57,6 +58,13 @@ def pinocchio_parts(model: Any) -> Parts:
             limits=limits,
         )
     return parts
+
+
+def _limits(lower: Any, upper: Any) -> tuple[float, float] | None:
+    """The largest number stands for no limit."""
+    most = float(np.finfo(np.float64).max)
+    ends = -np.inf if lower <= -most else float(lower), np.inf if upper >= most else float(upper)
+    return None if ends == (-np.inf, np.inf) else ends
 
 
 def _pinocchio_kind(joint: Any, name: str) -> tuple[str, tuple[float, ...]]:
@@ -76,7 +84,10 @@ def _pinocchio_kind(joint: Any, name: str) -> tuple[str, tuple[float, ...]]:
 
 
 def mujoco_parts(model: Any) -> Parts:
-    """The tree of a `mujoco.MjModel`: bodies, joints and armature. Equalities and tendons do not count, as in its own H."""
+    """The tree of a `mujoco.MjModel`: bodies, joints with armature, stiffness and damping.
+
+    Equalities and tendons do not count, as in its own H. What else is left out is noted.
+    """
     try:
         gravity = np.array(model.opt.gravity, dtype=float)
         name = bytes(model.names).split(b"\0", 1)[0].decode() or "mujoco"
@@ -113,7 +124,38 @@ def mujoco_parts(model: Any) -> Parts:
             link = child
         links.append(link)
         offset.append(-last)
+    for note in _mujoco_notes(model):
+        parts.note(note)
     return parts
+
+
+def _mujoco_notes(model: Any) -> list[str]:
+    """What of a model is not taken over, though it moves by it."""
+
+    def some(name: str) -> bool:
+        return bool(np.any(getattr(model, name, 0.0)))
+
+    notes = []
+    if getattr(model, "nu", 0):
+        notes.append("actuators are left out: give their feedback as kp and kd")
+    if some("tendon_stiffness") or some("tendon_damping") or some("tendon_armature"):
+        notes.append("stiffness, damping and armature of tendons are left out")
+    if some("jnt_stiffnesspoly") or some("dof_dampingpoly"):
+        notes.append("of springs and dampers that are polynomials the linear part counts")
+    slack = [i for i in range(int(model.njnt)) if model.jnt_type[i] in (HINGE, SLIDE) and _stiffness(model, i) != 0]
+    if any(model.qpos_spring[model.jnt_qposadr[i]] != 0 for i in slack):
+        notes.append("springs are slack at qpos_spring there, at zero here: give it as rest")
+    free = [int(model.jnt_dofadr[i]) for i in range(int(model.njnt)) if model.jnt_type[i] == FREE]
+    if any(np.any(model.dof_damping[dof : dof + 6]) for dof in free):
+        notes.append("damping of free joints is left out")
+    if getattr(model, "nkey", 0):
+        notes.append("keyframes are left out")
+    step = float(model.opt.timestep)
+    return [*notes, f"the time step of {step:g} s and its integrator are left out: give step and integrator"]
+
+
+def _stiffness(model: Any, joint: int) -> float:
+    return float(np.ravel(model.jnt_stiffness[joint])[0])
 
 
 def _place(model: Any, joint: int) -> Matrix:
@@ -142,6 +184,8 @@ def _mujoco_joint(
         R, position, armature = np.eye(3), np.zeros(3), np.roll(armature, 3)
     if kind in (HINGE, SLIDE) and model.jnt_limited[joint]:
         limits = float(model.jnt_range[joint][0]), float(model.jnt_range[joint][1])
+    # A floating base has no springs of its own.
+    is_free = kind == FREE
     parts.joint(
         name,
         {HINGE: "revolute", SLIDE: "prismatic", BALL: "spherical", FREE: "floating"}[kind],
@@ -152,6 +196,8 @@ def _mujoco_joint(
         axis=axis.tolist(),
         armature=armature.tolist(),
         limits=limits,
+        stiffness=0.0 if is_free else _stiffness(model, joint),
+        damping=[] if is_free else [float(np.ravel(c)[0]) for c in model.dof_damping[dof : dof + width]],
     )
     return ends[1]
 

@@ -1,4 +1,7 @@
-"""Results as small typed objects: they print well, become dictionaries, and plot themselves where matplotlib is installed."""
+"""Results as small typed objects: they print well, become dictionaries, and plot themselves where matplotlib is installed.
+
+Each is equal to itself alone: arrays have no one answer to ==. Numbers are compared as `to_dict()`.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,7 @@ def _text(title: str, rows: list[tuple[str, str]]) -> str:
     return "\n".join([title, *(f"  {name:<{width}}  {value}" for name, value in rows)])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mode:
     """An eigenvector of H x = λ B x over the degrees of freedom, xᵀ B x = 1, and each one's share of it."""
 
@@ -58,7 +61,7 @@ def _mode(found: dict[str, Any] | None) -> Mode | None:
     return Mode(np.array(found["vector"]), np.array(found["share"]), tuple(found["joints"]))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Conditioning:
     """κ and what belongs to it, of one robot in one configuration. None: the number does not exist, and `note` says why."""
 
@@ -137,9 +140,12 @@ class Conditioning:
         return ax
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Conditionings:
-    """κ and what belongs to it along a batch: one array a quantity, NaN where it does not exist."""
+    """κ and what belongs to it along a batch: one array a quantity, NaN where it does not exist.
+
+    `bracket` and `error_estimate` are pairs, (k, 2), modes and `eigenvalues` (k, n); `eigenvalues` is None unless ``all=True``.
+    """
 
     kappa: Floats
     kappa_weighted: Floats
@@ -150,10 +156,12 @@ class Conditionings:
     error_estimate: Floats
     softest: Floats
     stiffest: Floats
+    eigenvalues: Floats | None
 
     def __init__(self, columns: dict[str, Floats]) -> None:
-        bracket = np.stack([columns.pop("bracket_low"), columns.pop("bracket_high")], axis=-1)
-        for name, column in {**columns, "bracket": bracket}.items():
+        pairs = {"bracket": ("bracket_low", "bracket_high"), "error_estimate": ("error_of_min", "error_of_max")}
+        both = {name: np.stack([columns.pop(end) for end in ends], axis=-1) for name, ends in pairs.items()}
+        for name, column in {"eigenvalues": None, **columns, **both}.items():
             object.__setattr__(self, name, column)
 
     def __len__(self) -> int:
@@ -161,7 +169,7 @@ class Conditionings:
 
     def to_dict(self) -> dict[str, Floats]:
         """The arrays by name."""
-        return dict(self.__dict__)
+        return {name: column for name, column in self.__dict__.items() if column is not None}
 
     def _rows(self) -> list[tuple[str, str]]:
         def row(x: Floats) -> str:
@@ -186,7 +194,7 @@ class Conditionings:
         return ax
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WorstCase:
     """The worst of all configurations by one measure: `q` reproduces it."""
 
@@ -208,7 +216,7 @@ class WorstCase:
         return _html(MEASURES.get(self.measure, self.measure), [(name, _number(x)) for name, x in rows])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Finding:
     """One thing that is wrong with a robot."""
 
@@ -222,7 +230,7 @@ class Finding:
     q: Floats
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Diagnosis:
     """What is wrong with a robot over all that its joints allow: what `eigenbody check` finds."""
 
@@ -255,6 +263,12 @@ class Diagnosis:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Diagnosis._of_json, (json.dumps(self._dict),)
+
+    def __copy__(self) -> Diagnosis:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Diagnosis:
+        return self
 
     def __bool__(self) -> bool:
         """True if nothing worse than a note was found."""
@@ -341,7 +355,7 @@ class Diagnosis:
         return _html(self._title(), self._rows())
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Motion:
     """A motion, row by row, with what was watched along it: what `eigenbody simulate` writes.
 

@@ -10,21 +10,26 @@ from pathlib import Path
 from typing import Any
 
 from eigenbody._eigenbody import SweepPlan
+from eigenbody._errors import InputError
 
 # Chunks that wait with an executor, for each that is computed: enough to keep all busy, few enough to stop soon.
 AHEAD = 64
 
 
-def _read(text: str, folder: str) -> SweepPlan:
-    return SweepPlan(text, folder)
+def _read(text: str, folder: str, fingerprint: str) -> SweepPlan:
+    """A worker's plan. It is kept as long as robots' files are those of the fingerprint."""
+    plan = SweepPlan(text, folder)
+    if plan.fingerprint != fingerprint:
+        raise InputError("spec: a robot's file is not the same here as where the sweep was planned", what="spec")
+    return plan
 
 
 _plan = lru_cache(maxsize=4)(_read)
 
 
-def _compute(text: str, folder: str, number: int) -> bytes:
-    """What a worker does: its result depends on its arguments and the robots' files alone."""
-    return _plan(text, folder).compute(number)
+def _compute(text: str, folder: str, fingerprint: str, number: int) -> bytes:
+    """What a worker does: its result depends on its arguments alone."""
+    return _plan(text, folder, fingerprint).compute(number)
 
 
 def sweep(
@@ -48,7 +53,7 @@ def sweep(
     path = Path(spec) if "\n" not in str(spec) else None
     text = path.read_text(encoding="utf-8") if path is not None else str(spec)
     folder = str(path.resolve().parent if path is not None else Path.cwd())
-    plan = _plan(text, folder)
+    plan = SweepPlan(text, folder)
     missing = plan.missing(output)
     done = plan.chunks - len(missing)
 
@@ -69,7 +74,7 @@ def sweep(
     try:
         while True:
             for number in queue:
-                waiting[executor.submit(_compute, text, folder, number)] = number
+                waiting[executor.submit(_compute, text, folder, plan.fingerprint, number)] = number
                 if len(waiting) >= AHEAD:
                     break
             if not waiting:

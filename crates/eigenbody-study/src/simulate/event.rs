@@ -7,6 +7,8 @@ use eigenbody::Model;
 pub struct Watch<'a> {
     /// What happens there, as in "κ rises above 1e5".
     pub rises: String,
+    /// What is so where it is positive from the start, as in "κ is above 1e5".
+    pub is_above: String,
     /// What happens where it falls.
     pub falls: String,
     function: Box<dyn FnMut(&State) -> f64 + 'a>,
@@ -29,19 +31,27 @@ pub struct Event {
 }
 
 impl<'a> Watch<'a> {
-    /// Watches a function of the motion for changes of sign.
+    /// Watches a function of the motion for changes of sign: what happens where it rises above zero and falls below, and what is so where
+    /// it is above from the start.
     pub fn new(
         rises: impl Into<String>,
         falls: impl Into<String>,
+        is_above: impl Into<String>,
         function: impl FnMut(&State) -> f64 + 'a,
     ) -> Self {
-        Self { rises: rises.into(), falls: falls.into(), function: Box::new(function), last: f64::NAN }
+        Self {
+            rises: rises.into(),
+            falls: falls.into(),
+            is_above: is_above.into(),
+            function: Box::new(function),
+            last: f64::NAN,
+        }
     }
 
     /// Takes note of the start; an event if the function is positive there already.
     pub(super) fn begin(&mut self, state: &State) -> Option<Event> {
         self.last = (self.function)(state);
-        (self.last > 0.0).then(|| Event { t: state.t, what: self.rises.clone() })
+        (self.last > 0.0).then(|| Event { t: state.t, what: self.is_above.clone() })
     }
 
     /// The event within the last step, if the function has changed its sign there: by bisection on the interpolated motion, to 1e-12 of
@@ -79,18 +89,16 @@ pub fn joint_limits<'a>(model: &Model<f64>) -> Vec<Watch<'a>> {
     for joint in model.joints() {
         let Some((lower, upper)) = joint.limits().filter(|_| joint.kind().is_linear()) else { continue };
         for k in joint.coordinates() {
-            let name = joint.name();
+            let (name, verbs) = (joint.name(), ["passes", "returns within", "is beyond"]);
             let words =
                 |side: &str, limit: f64, verb: &str| format!("'{name}' {verb} its {side} limit {limit}");
             if upper.is_finite() {
-                let (rises, falls) =
-                    (words("upper", upper, "passes"), words("upper", upper, "returns within"));
-                watches.push(Watch::new(rises, falls, move |state| state.q[k] - upper));
+                let [rises, falls, is] = verbs.map(|verb| words("upper", upper, verb));
+                watches.push(Watch::new(rises, falls, is, move |state| state.q[k] - upper));
             }
             if lower.is_finite() {
-                let (rises, falls) =
-                    (words("lower", lower, "passes"), words("lower", lower, "returns within"));
-                watches.push(Watch::new(rises, falls, move |state| lower - state.q[k]));
+                let [rises, falls, is] = verbs.map(|verb| words("lower", lower, verb));
+                watches.push(Watch::new(rises, falls, is, move |state| lower - state.q[k]));
             }
         }
     }

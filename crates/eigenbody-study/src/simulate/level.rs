@@ -34,7 +34,7 @@ pub enum LevelError {
 /// use eigenbody_study::simulate::level;
 /// let arm = Family::hydra(3, 1.0, 0.0, 1.0)?.model::<f64>()?;
 /// let watch = level("kappa=100", &arm, Reduction::default(), &[0.0; 3])?;
-/// assert_eq!(watch.rises, "kappa rises above 100");
+/// assert_eq!((watch.rises, watch.is_above), ("kappa rises above 100".into(), "kappa is above 100".into()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn level<'a>(
@@ -58,7 +58,8 @@ pub fn level<'a>(
     let name = name.trim().to_owned();
     let mut tracker = Tracker::new(model, q, &metric, reduction.base)?;
     let words = |verb: &str| format!("{name} {verb} {level}");
-    Ok(Watch::new(words("rises above"), words("falls below"), move |state: &State| {
+    let [rises, falls, is_above] = ["rises above", "falls below", "is above"].map(words);
+    Ok(Watch::new(rises, falls, is_above, move |state: &State| {
         // A state that does not fit has no value, and the motion ends for a better reason.
         tracker.update(&state.q).map_or(f64::NAN, |ends| value(ends.map(|end| end.value)) - level)
     }))

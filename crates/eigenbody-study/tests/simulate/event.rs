@@ -35,7 +35,8 @@ fn watched(model: &Model<f64>, q: &[f64], v: &[f64], watches: &mut [Watch<'_>]) 
 #[test]
 fn a_rod_hangs_when_it_should() {
     let model = chain(1);
-    let mut watch = [Watch::new("past", "before", |state| -std::f64::consts::FRAC_PI_2 - state.q[0])];
+    let mut watch =
+        [Watch::new("past", "before", "beyond", |state| -std::f64::consts::FRAC_PI_2 - state.q[0])];
     let (events, times) = watched(&model, &[0.0], &[0.0], &mut watch);
     let expected = 1.854_074_677_301_372 * (2.0f64 / (3.0 * 9.81)).sqrt();
     assert_eq!(events[0].what, "past");
@@ -56,7 +57,7 @@ fn joint_limits_are_noticed() {
     let (events, _) = watched(&model, &[-0.75], &[2.0], &mut joint_limits(&model));
     let found: Vec<(f64, &str)> = events.iter().map(|event| (event.t, event.what.as_str())).collect();
     let expected = [
-        (0.0, "'rail' passes its lower limit -0.5"),
+        (0.0, "'rail' is beyond its lower limit -0.5"),
         (0.125, "'rail' returns within its lower limit -0.5"),
         (0.5, "'rail' passes its upper limit 0.25"),
     ];
