@@ -215,6 +215,41 @@ fn an_interrupted_run_ends_cleanly() {
     }
 }
 
+/// The same between two rows, where steps are far shorter than they are apart.
+#[cfg(unix)]
+#[test]
+fn a_run_can_be_interrupted_between_rows() {
+    for name in ["-INT", "-TERM"] {
+        let scratch = Scratch::new();
+        let file = scratch.path("run.csv");
+        let mut child = Command::new(env!("CARGO_BIN_EXE_eigenbody"))
+            .args(["simulate", CHAIN, "--hold", "q=[.5,.5,.5]", "--bandwidth", "1e9", "--time", "0.1"])
+            .args(["-o", file.to_str().unwrap()])
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let partial = scratch.path("run.csv.partial");
+        while !std::fs::read_to_string(&partial).is_ok_and(|text| text.contains('\n')) {
+            std::thread::yield_now();
+        }
+        std::thread::sleep(Duration::from_millis(200));
+        signal(&child, name);
+        let end = Instant::now() + Duration::from_secs(20);
+        let status = loop {
+            if let Some(status) = child.try_wait().unwrap() {
+                break status.code();
+            }
+            if Instant::now() > end {
+                child.kill().unwrap();
+                break child.wait().unwrap().code();
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        };
+        assert_eq!(status, Some(130), "{name}");
+        assert!(file.exists() && !partial.exists());
+    }
+}
+
 /// A killed run leaves whole rows, which `track` reads; the next run does not overwrite them.
 #[cfg(unix)]
 #[test]

@@ -68,6 +68,7 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
                     recorder.say(&format!("t = {:.6} s: {}", event.t, event.what));
                 }
             }
+            Report::Step => {}
             Report::Sample(state) => {
                 book.enter(&model, state);
                 if let Err(error) = recorder.record(state, state.t / time) {
