@@ -148,8 +148,8 @@ fn what_cannot_be_simulated_is_one_line() {
     for (arguments, message) in [
         (&["--time", "-1"][..], "--time -1: expected a positive number"),
         (&["--method", "rk4", "--step", "0"], "--step 0: expected a positive number"),
-        (&["--initial", "q=[0]"], "q has 1 numbers, expected 3"),
-        (&["--velocity", "v=[0]"], "v has 1 numbers, expected 3"),
+        (&["--initial", "q=[0]"], "q has 1 number, expected 3"),
+        (&["--velocity", "v=[0]"], "v has 1 number, expected 3"),
         (&["--velocity", "elbow=1"], "no degree of freedom is named 'elbow'"),
         (&["--event", "kappa"], "--event kappa: expected QUANTITY=X"),
         (&["-o", "run.txt"], "run.txt: expected a .csv or .parquet file"),
