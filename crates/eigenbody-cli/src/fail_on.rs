@@ -26,6 +26,11 @@ impl FromStr for FailOn {
             "never" => Self::Never,
             codes => {
                 let codes: Vec<String> = codes.split(',').map(|code| code.trim().to_owned()).collect();
+                let is_level =
+                    |code: &&String| ["note", "warning", "error", "never"].contains(&code.as_str());
+                if let Some(level) = codes.iter().find(is_level) {
+                    return Err(format!("'{level}' stands alone: levels and names of findings do not mix"));
+                }
                 let known = |code: &String| rules().any(|rule| rule.code == code);
                 if let Some(code) = codes.iter().find(|code| !known(code)) {
                     let names: Vec<&str> = rules().map(|rule| rule.code).collect();

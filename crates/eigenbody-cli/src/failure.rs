@@ -113,11 +113,11 @@ fn kept(partial: &Option<(PathBuf, u64)>) -> String {
 
 impl Failure {
     /// The error with the line of the file that it is about, for a person at a terminal.
-    pub fn excerpt(&self) -> Option<String> {
+    pub fn excerpt(&self, styled: bool) -> Option<String> {
         let Self::Format(error) = self else { return None };
         let (file, at, message) = error.place()?;
         let text = std::fs::read_to_string(file).ok()?;
-        eigenbody_report::excerpt(file, &text, (at.line, at.column), &message, true)
+        eigenbody_report::excerpt(file, &text, (at.line, at.column), &message, styled)
     }
 
     /// The reader of our output has gone, as `head` does: no error.

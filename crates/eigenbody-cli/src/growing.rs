@@ -8,10 +8,10 @@
 //! leaves the partial file; the next one does not overwrite it.
 
 use crate::failure::Failure;
-use crate::output::builder;
+use eigenbody_report::file::Place;
 use eigenbody_report::{RowsCsv, read_rows};
 use eigenbody_study::{Cell, Field};
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, Permissions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -38,6 +38,7 @@ enum Target {
         path: PathBuf,
         partial: PathBuf,
         handle: File,
+        permissions: Option<Permissions>,
         is_parquet: bool,
     },
 }
@@ -53,11 +54,12 @@ impl Growing {
             None => (Target::Stdout, Box::new(io::stdout())),
             Some(path) => {
                 let failed = |source| Failure::File { path: path.to_owned(), source };
-                if path.exists() && !path.is_file() && !path.is_dir() {
-                    let out = OpenOptions::new().write(true).open(path).map_err(failed)?;
-                    (Target::Direct(path.to_owned()), Box::new(out))
-                } else {
-                    file(path)?
+                match Place::find(path).map_err(failed)? {
+                    Place::Stream => {
+                        let out = OpenOptions::new().write(true).open(path).map_err(failed)?;
+                        (Target::Direct(path.to_owned()), Box::new(out))
+                    }
+                    Place::File { path: target, permissions } => file(path, &target, permissions)?,
                 }
             }
         };
@@ -101,12 +103,15 @@ impl Growing {
     pub fn finish(mut self) -> Result<u64, Failure> {
         self.flush()?;
         let count = self.rows.written().1;
-        if let Target::File { path, partial, handle, is_parquet } = &self.target {
+        if let Target::File { path, partial, handle, permissions, is_parquet } = &self.target {
             let failed = |source| self.target.failure(source, count);
             if *is_parquet {
                 self.convert(path, partial).map_err(failed)?;
                 std::fs::remove_file(partial).map_err(failed)?;
             } else {
+                if let Some(permissions) = permissions {
+                    handle.set_permissions(permissions.clone()).map_err(failed)?;
+                }
                 handle.sync_all().map_err(failed)?;
                 std::fs::rename(partial, path).map_err(failed)?;
             }
@@ -118,18 +123,10 @@ impl Growing {
     #[cfg(feature = "parquet")]
     fn convert(&self, path: &Path, partial: &Path) -> io::Result<()> {
         let rows = read_rows(File::open(partial)?, &self.fields);
-        let temporary = builder().tempfile_in(folder(path)).map_err(|error| io::Error::from(error.kind()))?;
-        let mut out = io::BufWriter::new(temporary);
-        eigenbody_report::write_parquet(&self.fields, &self.metadata, rows, &mut out).map_err(|error| {
-            match error {
-                eigenbody_report::ParquetFailure::Io(source) => source,
-                other => io::Error::other(other.to_string()),
-            }
-        })?;
-        let temporary = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-        temporary.as_file().sync_all()?;
-        temporary.persist(path).map_err(|error| error.error)?;
-        Ok(())
+        eigenbody_report::file::write_whole(path, |out| {
+            eigenbody_report::write_parquet(&self.fields, &self.metadata, rows, out)
+                .map_err(eigenbody_report::ParquetFailure::into_io)
+        })
     }
 
     #[cfg(not(feature = "parquet"))]
@@ -138,12 +135,12 @@ impl Growing {
     }
 }
 
-fn folder(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// The partial file of a target that is, or will be, a file.
-fn file(path: &Path) -> Result<(Target, Box<dyn Write>), Failure> {
+/// The partial file of a target that is, or will be, a file; `path` is how the user calls it.
+fn file(
+    path: &Path,
+    target: &Path,
+    permissions: Option<Permissions>,
+) -> Result<(Target, Box<dyn Write>), Failure> {
     let failed = |source| Failure::File { path: path.to_owned(), source };
     let is_parquet = match path.extension().and_then(|extension| extension.to_str()) {
         Some("parquet") => true,
@@ -153,14 +150,7 @@ fn file(path: &Path) -> Result<(Target, Box<dyn Write>), Failure> {
     if is_parquet && !cfg!(feature = "parquet") {
         return Err(Failure::Usage(format!("{}: Parquet is not built in", path.display())));
     }
-    if path.is_dir() {
-        return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
-    }
-    if !folder(path).is_dir() {
-        let what = format!("no folder '{}'", folder(path).display());
-        return Err(failed(io::Error::new(io::ErrorKind::NotFound, what)));
-    }
-    let mut name = path.as_os_str().to_owned();
+    let mut name = target.as_os_str().to_owned();
     name.push(if is_parquet { ".partial.csv" } else { ".partial" });
     let partial = PathBuf::from(name);
     let handle =
@@ -174,7 +164,7 @@ fn file(path: &Path) -> Result<(Target, Box<dyn Write>), Failure> {
             }
         })?;
     let out = handle.try_clone().map_err(failed)?;
-    Ok((Target::File { path: path.to_owned(), partial, handle, is_parquet }, Box::new(out)))
+    Ok((Target::File { path: target.to_owned(), partial, handle, permissions, is_parquet }, Box::new(out)))
 }
 
 impl Target {

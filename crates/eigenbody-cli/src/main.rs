@@ -13,17 +13,23 @@ mod commands;
 mod fail_on;
 mod failure;
 mod growing;
+mod interrupt;
 mod output;
 mod settings;
 mod system;
 
 use args::{Args, Command};
 use clap::Parser;
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let args = Args::parse();
+    interrupt::listen();
+    let (reads, writes) = args.command.as_ref().map(Command::files).unwrap_or_default();
+    if let Err(failure) = output::check_files(&reads, &writes) {
+        return failed(&failure);
+    }
     let result = match &args.command {
         None => commands::welcome::run().map(|()| true),
         Some(Command::Check(check)) => commands::check::run(check),
@@ -53,7 +59,7 @@ fn ended(result: Result<commands::motion::Ending, failure::Failure>) -> ExitCode
         Ok(commands::motion::Ending::Whole) => ExitCode::SUCCESS,
         Ok(commands::motion::Ending::BlownUp) => ExitCode::FAILURE,
         // As a shell has it for a program that was interrupted.
-        Ok(commands::motion::Ending::Interrupted) => ExitCode::from(130),
+        Ok(commands::motion::Ending::Interrupted) => ExitCode::from(interrupt::STATUS),
         Err(failure) => failed(&failure),
     }
 }
@@ -62,9 +68,16 @@ fn failed(failure: &failure::Failure) -> ExitCode {
     if failure.is_closed_pipe() {
         return ExitCode::SUCCESS;
     }
-    match std::io::stderr().is_terminal().then(|| failure.excerpt()).flatten() {
-        Some(excerpt) => eprintln!("{excerpt}"),
-        None => eprintln!("error: {failure}"),
+    match std::io::stderr().is_terminal().then(|| failure.excerpt(has_colours())).flatten() {
+        // Its colours are control characters: it goes out as it is.
+        Some(excerpt) => _ = writeln!(std::io::stderr(), "{excerpt}"),
+        None => output::say(format_args!("error: {failure}")),
     }
     ExitCode::from(2)
+}
+
+/// As <https://no-color.org> has it, and for terminals that have none.
+fn has_colours() -> bool {
+    let is_set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !is_set("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
 }

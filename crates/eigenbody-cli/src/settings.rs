@@ -10,7 +10,8 @@
 use crate::args::{GainArgs, IntegratorArg};
 use crate::fail_on::FailOn;
 use crate::failure::Failure;
-use eigenbody_formats::{Kind, Loaded};
+use eigenbody::Model;
+use eigenbody_formats::{Kind, Loaded, gains};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -38,8 +39,8 @@ struct Keys {
     max_kappa_weighted: Option<Spanned<f64>>,
     max_kappa: Option<Spanned<f64>>,
     f32_digits: Option<Spanned<f64>>,
-    kp: Option<Gain>,
-    kd: Option<Gain>,
+    kp: Option<Spanned<Gain>>,
+    kd: Option<Spanned<Gain>>,
     dt: Option<Spanned<f64>>,
     integrator: Option<IntegratorArg>,
     fail_on: Option<Spanned<String>>,
@@ -100,19 +101,19 @@ impl Settings {
     /// The file that is named, or the nearest one above the model's; none is all defaults.
     pub fn find(named: Option<&Path>, model: &Loaded) -> Result<Self, Failure> {
         match named.map(Path::to_owned).or_else(|| nearest(model)) {
-            Some(path) => Self::read(path),
+            Some(path) => Self::read(path, &model.model),
             None => Ok(Self::default()),
         }
     }
 
-    fn read(path: PathBuf) -> Result<Self, Failure> {
+    fn read(path: PathBuf, model: &Model<f64>) -> Result<Self, Failure> {
         let failed = |source| Failure::File { path: path.clone(), source };
         let size = std::fs::metadata(&path).map_err(failed)?.len();
         if size > LIMIT {
             return Err(Failure::Folder { path, what: format!("larger than {LIMIT} bytes") });
         }
         let text = std::fs::read_to_string(&path).map_err(failed)?;
-        Keys::parse(&text).and_then(|keys| keys.settings(path.clone())).map_err(|(offset, what)| {
+        Keys::parse(&text).and_then(|keys| keys.settings(path.clone(), model)).map_err(|(offset, what)| {
             let (line, column) = place(&text, offset);
             Failure::Usage(format!("{}:{line}:{column}: {what}", path.display()))
         })
@@ -129,12 +130,21 @@ impl Keys {
         })
     }
 
-    fn settings(self, path: PathBuf) -> Result<Settings, Fault> {
+    fn settings(self, path: PathBuf, model: &Model<f64>) -> Result<Settings, Fault> {
         let positive = |key: &str, x: Option<Spanned<f64>>| match x {
             Some(x) if !(*x.get_ref() > 0.0 && x.get_ref().is_finite()) => {
                 Err((x.span().start, format!("{key} = {}: expected a positive number", x.get_ref())))
             }
             x => Ok(x.map(Spanned::into_inner)),
+        };
+        let gain = |key: &str, gain: Option<Spanned<Gain>>| match gain {
+            Some(gain) => {
+                let start = gain.span().start;
+                let text = String::from(gain.into_inner());
+                let fault = |error| (start, format!("{key} = {error}"));
+                gains(&text, model).map(|_| Some(text)).map_err(fault)
+            }
+            None => Ok(None),
         };
         let fail_on = match self.fail_on {
             Some(text) => Some(text.get_ref().parse().map_err(|what| (text.span().start, what))?),
@@ -157,8 +167,8 @@ impl Keys {
             max_kappa: positive("max-kappa", self.max_kappa)?,
             f32_digits: positive("f32-digits", self.f32_digits)?,
             gains: GainArgs {
-                kp: self.kp.map(String::from),
-                kd: self.kd.map(String::from),
+                kp: gain("kp", self.kp)?,
+                kd: gain("kd", self.kd)?,
                 dt: positive("dt", self.dt)?,
                 integrator: self.integrator,
             },

@@ -152,8 +152,8 @@ fn bad_input() {
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0.5"]), @"error: puma560: nothing was found that does what is wanted");
     insta::assert_snapshot!(failure(&["check", "puma560", "--write-patch", "x.xml"]), @"error: --write-patch: say what is wanted, --want-kappa, --want-lambda-min or --want-step");
     insta::assert_snapshot!(failure(&["check", "puma560", "--dt", "0"]), @"error: --dt 0: expected a positive number");
-    insta::assert_snapshot!(failure(&["check", "puma560", "--kp", "wing=3"]), @"error: wing=3, column 1: no moving joint is named 'wing'");
-    insta::assert_snapshot!(failure(&["check", "puma560", "--kd", "-3"]), @"error: -3, column 1: gain -3, expected none below zero");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--kp", "wing=3"]), @"error: --kp wing=3, column 1: no moving joint is named 'wing'");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--kd", "-3"]), @"error: --kd -3, column 1: gain -3, expected none below zero");
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-step", "0.01"]), @"error: --want-step: the file has no stiffness, damping or gains; give --kp and --kd");
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-step", "0.01", "--kp", "1", "--integrator", "rk4"]), @"error: --want-step is for methods of Euler's kind; choose one with --integrator");
     insta::assert_snapshot!(failure(&["check", "puma560", "--max-kappa", "-1"]), @"error: --max-kappa -1: expected a positive number");

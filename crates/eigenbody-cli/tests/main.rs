@@ -7,6 +7,7 @@
 
 mod bad_input;
 mod check;
+mod files;
 mod formats;
 mod judged;
 mod matrix;
@@ -17,3 +18,5 @@ mod run;
 #[cfg(feature = "web")]
 mod serve;
 mod spectrum;
+#[cfg(feature = "parquet")]
+mod sweep;

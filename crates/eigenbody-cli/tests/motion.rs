@@ -148,8 +148,8 @@ fn what_cannot_be_simulated_is_one_line() {
     for (arguments, message) in [
         (&["--time", "-1"][..], "--time -1: expected a positive number"),
         (&["--method", "rk4", "--step", "0"], "--step 0: expected a positive number"),
-        (&["--initial", "q=[0]"], "q has 1 numbers, expected 3"),
-        (&["--velocity", "v=[0]"], "v has 1 numbers, expected 3"),
+        (&["--initial", "q=[0]"], "q has 1 number, expected 3"),
+        (&["--velocity", "v=[0]"], "v has 1 number, expected 3"),
         (&["--velocity", "elbow=1"], "no degree of freedom is named 'elbow'"),
         (&["--event", "kappa"], "--event kappa: expected QUANTITY=X"),
         (&["-o", "run.txt"], "run.txt: expected a .csv or .parquet file"),
@@ -212,6 +212,41 @@ fn an_interrupted_run_ends_cleanly() {
         assert!(!partial.exists());
         let file = scratch.path(name);
         assert!(table(&stdout(&["track", CHAIN, file.to_str().unwrap()])).1.len() > 5);
+    }
+}
+
+/// The same between two rows, where steps are far shorter than they are apart.
+#[cfg(unix)]
+#[test]
+fn a_run_can_be_interrupted_between_rows() {
+    for name in ["-INT", "-TERM"] {
+        let scratch = Scratch::new();
+        let file = scratch.path("run.csv");
+        let mut child = Command::new(env!("CARGO_BIN_EXE_eigenbody"))
+            .args(["simulate", CHAIN, "--hold", "q=[.5,.5,.5]", "--bandwidth", "1e9", "--time", "0.1"])
+            .args(["-o", file.to_str().unwrap()])
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let partial = scratch.path("run.csv.partial");
+        while !std::fs::read_to_string(&partial).is_ok_and(|text| text.contains('\n')) {
+            std::thread::yield_now();
+        }
+        std::thread::sleep(Duration::from_millis(200));
+        signal(&child, name);
+        let end = Instant::now() + Duration::from_secs(20);
+        let status = loop {
+            if let Some(status) = child.try_wait().unwrap() {
+                break status.code();
+            }
+            if Instant::now() > end {
+                child.kill().unwrap();
+                break child.wait().unwrap().code();
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        };
+        assert_eq!(status, Some(130), "{name}");
+        assert!(file.exists() && !partial.exists());
     }
 }
 

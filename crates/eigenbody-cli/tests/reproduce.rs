@@ -69,6 +69,21 @@ fn folders_that_will_not_do() {
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "precious");
 }
 
+/// What a run that was ended has left is taken up; it holds its own files alone.
+#[test]
+fn a_run_goes_on_in_its_own_folder() {
+    let scratch = Scratch::new();
+    let folder = scratch.path("out");
+    let call = ["reproduce", "F-fig2", "--quick", "-o", folder.to_str().unwrap()];
+    stdout(&call);
+    std::fs::remove_file(folder.join("index.html")).unwrap();
+    std::fs::write(folder.join(".tmpAbCdEf"), "half").unwrap();
+    stdout(&call);
+    assert!(folder.join("index.html").exists());
+    std::fs::write(folder.join("F-fig2.txt"), "notes").unwrap();
+    assert!(failure(&call).contains("not empty"));
+}
+
 /// An output cannot take its final name: the run ends with a message and no half-written file stands under any final name.
 #[test]
 fn what_cannot_be_written_leaves_nothing_half_written() {

@@ -1,6 +1,6 @@
 //! CONFIG: a configuration of a robot.
 
-use crate::error::{FormatError, shortened};
+use crate::error::{FormatError, numbers_of, shortened};
 use crate::expression::{ExpressionError, Reader, Value};
 use crate::suggest::did_you_mean;
 use eigenbody::model::{Coupling, JointInfo};
@@ -88,7 +88,9 @@ impl<'a> Configuration<'a> {
         if numbers.len() != self.p.len() {
             let which = if self.coupling.is_some() { " independent coordinates" } else { "" };
             let (found, expected) = (numbers.len(), self.p.len());
-            return Err(reader.error(start, format!("q has {found} numbers, expected {expected}{which}")));
+            return Err(
+                reader.error(start, format!("q has {}, expected {expected}{which}", numbers_of(found)))
+            );
         }
         self.p = numbers.iter().map(|number| number.value).collect();
         self.offsets = numbers.iter().map(|number| Some(number.offset)).collect();

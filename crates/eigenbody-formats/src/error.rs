@@ -132,11 +132,17 @@ impl fmt::Write for Escaping<'_, '_> {
     }
 
     fn write_char(&mut self, c: char) -> fmt::Result {
-        match c.is_control() {
+        match steers(c) {
             true => write!(self.0, "{}", c.escape_default()),
             false => self.0.write_char(c),
         }
     }
+}
+
+/// True for what a terminal obeys and does not show: control characters, line and paragraph separators, marks of direction.
+fn steers(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// A quotation of at most 60 characters, on one line.
@@ -146,4 +152,9 @@ pub(crate) fn shortened(text: &str) -> String {
         Some((end, _)) => format!("{}…", OneLine(&text[..end])),
         None => OneLine(text).to_string(),
     }
+}
+
+/// `1 number`, `2 numbers`.
+pub(crate) fn numbers_of(n: usize) -> String {
+    format!("{n} {}", if n == 1 { "number" } else { "numbers" })
 }

@@ -42,6 +42,9 @@ pub fn gains(text: &str, model: &Model<f64>) -> Result<Vec<Option<f64>>, FormatE
         reader.skip(joint.name().len());
         reader.expect('=')?;
         let value = gain(&mut reader)?;
+        if joint.dofs().any(|d| all[d].is_some()) {
+            return Err(reader.error(start, format!("'{}' is named twice", shortened(joint.name()))).into());
+        }
         joint.dofs().for_each(|d| all[d] = Some(value));
         match reader.rest() {
             "" => return Ok(all),

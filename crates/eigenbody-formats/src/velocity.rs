@@ -1,6 +1,6 @@
 //! VELOCITY: how fast a robot moves.
 
-use crate::error::FormatError;
+use crate::error::{FormatError, numbers_of};
 use crate::expression::{ExpressionError, Reader};
 use crate::suggest::did_you_mean;
 use eigenbody::Model;
@@ -42,7 +42,7 @@ fn read(text: &str, model: &Model<f64>) -> Result<Vec<f64>, ExpressionError> {
             let numbers = reader.list()?;
             if numbers.len() != v.len() {
                 let (found, expected) = (numbers.len(), v.len());
-                return Err(reader.error(start, format!("v has {found} numbers, expected {expected}")));
+                return Err(reader.error(start, format!("v has {}, expected {expected}", numbers_of(found))));
             }
             v.iter_mut().zip(numbers).for_each(|(v, number)| *v = number.value);
         }

@@ -196,6 +196,7 @@ pub fn simulate<'py>(
             match report {
                 Report::Event(_) if interrupted.get() => return ControlFlow::Break(()),
                 Report::Event(event) => rows.events.push((event.t, event.what)),
+                Report::Step => {}
                 Report::Sample(state) => match monitors.observe(state) {
                     Ok(cells) => {
                         rows.t.push(state.t);

@@ -1,6 +1,7 @@
 //! What a model consists of: its tree, its degrees of freedom, its findings.
 
 use crate::number::significant;
+use crate::text::{count, one_line};
 use comfy_table::{Table, presets};
 use serde::Serialize;
 use std::fmt::Write;
@@ -80,21 +81,26 @@ impl InfoReport {
         let mut page = format!("{}\n", self.model);
         let _ = writeln!(
             page,
-            "  {}: {bodies} moving bodies, {mass} kg, {} degrees of freedom, {} coordinates, {} base\n",
-            self.name, self.nv, self.nq, self.base
+            "  {}: {}, {mass} kg, {}, {}, {} base\n",
+            one_line(&self.name),
+            count(bodies, "moving body", "moving bodies"),
+            count(self.nv, "degree of freedom", "degrees of freedom"),
+            count(self.nq, "coordinate", "coordinates"),
+            self.base
         );
         page.push_str("  tree\n");
         for body in &self.bodies {
             let indent = "  ".repeat(body.depth.min(20));
             let mass = significant(body.mass, 4);
-            let _ = writeln!(page, "  {indent}└ {} ({}, {mass} kg)", body.name, body.joint);
+            let _ = writeln!(page, "  {indent}└ {} ({}, {mass} kg)", one_line(&body.name), body.joint);
         }
         page.push('\n');
         for line in self.dof_table().lines() {
             let _ = writeln!(page, "  {}", line.trim_end());
         }
         if !self.keyframes.is_empty() {
-            let _ = writeln!(page, "\n  configurations in the file: {}", self.keyframes.join(", "));
+            let _ =
+                writeln!(page, "\n  configurations in the file: {}", one_line(&self.keyframes.join(", ")));
         }
         match self.findings.len() {
             0 => page.push_str("\n  no findings\n"),
@@ -119,10 +125,10 @@ impl InfoReport {
                 format!("{} .. {} {}", significant(lower, 4), significant(upper, 4), dof.unit)
             });
             let armature = if dof.armature == 0.0 { String::new() } else { significant(dof.armature, 4) };
-            let follows = dof.follows.clone().unwrap_or_default();
+            let follows = dof.follows.as_deref().map_or_else(String::new, one_line);
             table.add_row([
                 dof.dof.to_string(),
-                dof.name.clone(),
+                one_line(&dof.name),
                 dof.kind.clone(),
                 q,
                 limits,

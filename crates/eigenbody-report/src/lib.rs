@@ -9,6 +9,7 @@
 mod diagnosis;
 mod excerpt;
 pub mod figure;
+pub mod file;
 mod info;
 mod matrix;
 mod motion;

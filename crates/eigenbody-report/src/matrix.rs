@@ -1,6 +1,8 @@
 //! The mass matrix itself, in forms that other programs read.
 
 use crate::spectrum::{LoopsReport, Subject};
+use crate::table::io_of;
+use crate::text::one_line;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -47,9 +49,9 @@ impl MatrixReport {
     /// If `out` cannot be written.
     pub fn write_csv(&self, out: impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(&self.dofs)?;
+        writer.write_record(&self.dofs).map_err(io_of)?;
         for row in &self.rows {
-            writer.write_record(row.iter().map(f64::to_string))?;
+            writer.write_record(row.iter().map(f64::to_string)).map_err(io_of)?;
         }
         writer.flush()
     }
@@ -74,7 +76,8 @@ impl MatrixReport {
         let cells: Vec<Vec<String>> =
             self.rows.iter().map(|row| row.iter().map(|x| cell(*x)).collect()).collect();
         let width = cells.iter().flatten().map(|c| c.chars().count()).max().unwrap_or(0);
-        let names = self.dofs.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+        let dofs: Vec<String> = self.dofs.iter().map(|name| one_line(name)).collect();
+        let names = dofs.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         let mut page = format!(
             "{}, {} base, at {}: {}, {n} × {n} (kg m², kg m, kg)\n\n",
             self.subject.model,
@@ -83,7 +86,7 @@ impl MatrixReport {
             if self.among.is_some() { "Nᵀ H N of the closed loops, NᵀN = 1" } else { "H" },
             n = self.rows.len()
         );
-        for (name, row) in self.dofs.iter().zip(&cells) {
+        for (name, row) in dofs.iter().zip(&cells) {
             let pad = names - name.chars().count();
             page.push_str(&format!("  {name}{:pad$}", ""));
             for cell in row {

@@ -10,7 +10,10 @@
 /// ```
 pub fn significant(x: f64, digits: usize) -> String {
     let magnitude = x.abs();
-    if x == 0.0 || !x.is_finite() {
+    if x == 0.0 {
+        return "0".into();
+    }
+    if !x.is_finite() {
         return format!("{x}");
     }
     if !(1e-4..1e7).contains(&magnitude) {

@@ -18,7 +18,7 @@ pub const OF_ROBOTS: &[Rule] = &[
     rule("moves-no-mass", "Some joint rates move no mass in any configuration: H is singular."),
     rule("solves", "Solves with H in double precision lose digits: κ' is large somewhere."),
     rule("single-precision", "Single precision keeps too few digits of an acceleration somewhere."),
-    rule("time-step", "The step is longer than the largest stable one."),
+    rule("time-step", "The step is longer than the largest stable one, or none is stable."),
     rule("gains", "κ is large somewhere: gains and explicit steps cannot suit all motions."),
 ];
 

@@ -7,14 +7,18 @@
 //! ```
 //! A chunk's file depends on the plan and its number alone, so that it does not matter who computed it, when, or how often.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use eigenbody_study::sweep::{Chunk, Plan};
+use eigenbody_study::{Cell, Field};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::RowsCsv;
+#[cfg(feature = "parquet")]
+use crate::ParquetFailure;
+use crate::file::{is_temporary, write_whole};
+use crate::{RowsCsv, read_rows};
 
 /// Why a folder does not do.
 #[derive(Debug, Error)]
@@ -34,15 +38,6 @@ pub enum SweepFolderError {
         path: PathBuf,
         /// What it holds, and what was expected.
         what: String,
-    },
-    /// The table cannot be written.
-    #[cfg(feature = "parquet")]
-    #[error("{}: {source}", path.display())]
-    Parquet {
-        /// Which file.
-        path: PathBuf,
-        /// Why.
-        source: crate::ParquetFailure,
     },
 }
 
@@ -108,7 +103,9 @@ impl SweepFolder {
             let mut entries = std::fs::read_dir(path).map_err(|source| io_error(path, source))?;
             // A folder that was begun and not named yet may be taken up: only its own names are in it.
             if entries.any(|entry| {
-                entry.is_ok_and(|entry| entry.file_name() != "chunks" && !is_temporary(&entry.path()))
+                entry.is_ok_and(|entry| {
+                    entry.file_name() != "chunks" && !is_temporary(&entry.file_name().to_string_lossy())
+                })
             }) {
                 return Err(other(path, "not empty, and no sweep's folder".into()));
             }
@@ -124,7 +121,7 @@ impl SweepFolder {
             }
         } else {
             let text = serde_json::to_string_pretty(&folder.record).unwrap_or_default() + "\n";
-            write_whole(&plan, text.as_bytes())?;
+            keep(&plan, text.as_bytes())?;
         }
         Ok(folder)
     }
@@ -138,13 +135,34 @@ impl SweepFolder {
         (0..self.record.chunks).filter(|&number| !self.chunk(number).exists()).collect()
     }
 
+    /// True if a chunk is there, with the rows of its cases.
+    pub fn is_whole(&self, plan: &Plan, number: u64) -> bool {
+        self.rows(plan, &plan.fields(), number).is_ok()
+    }
+
+    /// The rows of a chunk. Errors: [`SweepFolderError`], with the file, if they are not those of its cases.
+    fn rows(&self, plan: &Plan, fields: &[Field], number: u64) -> Result<Vec<Vec<Cell>>, SweepFolderError> {
+        let path = self.chunk(number);
+        let file = std::fs::File::open(&path).map_err(|source| io_error(&path, source))?;
+        let rows: Vec<Vec<Cell>> = read_rows(io::BufReader::new(file), fields)
+            .collect::<io::Result<_>>()
+            .map_err(|error| other(&path, format!("no chunk of this sweep: {error}")))?;
+        let cases = plan.cases_of(number);
+        let has = |(case, row): (u64, &Vec<Cell>)| row.first() == Some(&Cell::from(case as f64));
+        if rows.len() as u64 != cases.end - cases.start || !cases.clone().zip(&rows).all(has) {
+            let what = format!("no chunk of this sweep: expected cases {} to {}", cases.start, cases.end - 1);
+            return Err(other(&path, what));
+        }
+        Ok(rows)
+    }
+
     /// Keeps a chunk, whole.
     ///
     /// # Errors
     ///
     /// If it cannot be written; then nothing stands under its name.
     pub fn keep(&self, number: u64, text: &[u8]) -> Result<(), SweepFolderError> {
-        write_whole(&self.chunk(number), text)
+        keep(&self.chunk(number), text)
     }
 
     /// Writes all rows, in the order of cases, as `sweep.parquet`; its path.
@@ -165,17 +183,6 @@ impl SweepFolder {
         }
         let path = self.path.join("sweep.parquet");
         let fields = plan.fields();
-        let mut next = 0u64;
-        let rows = (0..self.record.chunks).flat_map(|number| {
-            let opened = std::fs::File::open(self.chunk(number));
-            match opened {
-                Ok(file) => Box::new(
-                    crate::read_rows(io::BufReader::new(file), &fields).collect::<Vec<_>>().into_iter(),
-                ) as Box<dyn Iterator<Item = io::Result<_>>>,
-                Err(error) => Box::new(std::iter::once(Err(error))),
-            }
-        });
-        let counted = rows.inspect(|_| next += 1);
         let metadata = [
             ("eigenbody:version", self.record.version.clone()),
             ("eigenbody:fingerprint", self.record.fingerprint.clone()),
@@ -183,20 +190,22 @@ impl SweepFolder {
             ("eigenbody:metric", plan.spec().metric.clone()),
             ("eigenbody:models", plan.models_text()),
         ];
-        let failed = |source| SweepFolderError::Parquet { path: path.clone(), source };
-        let temporary = temporary(&self.path)?;
-        crate::write_parquet(&fields, &metadata, counted, io::BufWriter::new(temporary.as_file()))
-            .map_err(failed)?;
-        if next != self.record.cases {
-            return Err(other(&self.path, format!("{next} rows of {} cases", self.record.cases)));
+        let mut damaged = None;
+        let rows = (0..self.record.chunks).flat_map(|number| match self.rows(plan, &fields, number) {
+            Ok(rows) => rows.into_iter().map(Ok).collect::<Vec<_>>(),
+            Err(error) => {
+                damaged = Some(error);
+                vec![Err(io::Error::from(io::ErrorKind::InvalidData))]
+            }
+        });
+        let written = write_whole(&path, |out| {
+            crate::write_parquet(&fields, &metadata, rows, out).map_err(ParquetFailure::into_io)
+        });
+        match damaged {
+            Some(error) => Err(error),
+            None => written.map(|()| path.clone()).map_err(|source| io_error(&path, source)),
         }
-        persist(temporary, &path)?;
-        Ok(path)
     }
-}
-
-fn is_temporary(path: &Path) -> bool {
-    path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(".tmp"))
 }
 
 fn io_error(path: &Path, source: io::Error) -> SweepFolderError {
@@ -207,20 +216,6 @@ fn other(path: &Path, what: String) -> SweepFolderError {
     SweepFolderError::Other { path: path.to_owned(), what }
 }
 
-fn temporary(folder: &Path) -> Result<tempfile::NamedTempFile, SweepFolderError> {
-    // The library's own message names the temporary file, which means nothing to the user.
-    tempfile::NamedTempFile::new_in(folder).map_err(|error| io_error(folder, error.kind().into()))
-}
-
-fn persist(temporary: tempfile::NamedTempFile, path: &Path) -> Result<(), SweepFolderError> {
-    temporary.as_file().sync_all().map_err(|source| io_error(path, source))?;
-    temporary.persist(path).map_err(|error| io_error(path, error.error))?;
-    Ok(())
-}
-
-fn write_whole(path: &Path, text: &[u8]) -> Result<(), SweepFolderError> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let mut file = temporary(folder)?;
-    file.as_file_mut().write_all(text).map_err(|source| io_error(path, source))?;
-    persist(file, path)
+fn keep(path: &Path, text: &[u8]) -> Result<(), SweepFolderError> {
+    write_whole(path, |out| out.write_all(text)).map_err(|source| io_error(path, source))
 }

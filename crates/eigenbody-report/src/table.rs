@@ -24,13 +24,21 @@ pub fn write_table_csv(table: &Table, out: impl Write) -> io::Result<()> {
         "" => column.name.to_owned(),
         unit => format!("{} [{unit}]", column.name),
     };
-    writer.write_record(table.columns().iter().map(heading))?;
+    writer.write_record(table.columns().iter().map(heading)).map_err(io_of)?;
     for row in 0..table.rows() {
         let cell = |column: &Column| match &column.values {
             Values::Text(cells) => cells[row].clone(),
             Values::Number(cells) => cells[row].map_or_else(String::new, |x| x.to_string()),
         };
-        writer.write_record(table.columns().iter().map(cell))?;
+        writer.write_record(table.columns().iter().map(cell)).map_err(io_of)?;
     }
     writer.flush()
+}
+
+/// The system's own error, its kind kept.
+pub(crate) fn io_of(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(source) => source,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }

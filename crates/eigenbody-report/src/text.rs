@@ -163,10 +163,10 @@ fn block(Mode { title, mode }: &Mode<'_>) -> Vec<String> {
     order.sort_by(|&a, &b| mode.share[b].total_cmp(&mode.share[a]));
     let shown: Vec<usize> =
         order.iter().copied().take(SHOWN).filter(|&d| mode.share[d] >= 5e-4 || d == order[0]).collect();
-    let name_width = shown.iter().map(|&d| mode.joints[d].chars().count()).max().unwrap_or(0);
+    let name_width = shown.iter().map(|&d| one_line(&mode.joints[d]).chars().count()).max().unwrap_or(0);
     let mut lines = vec![title.clone()];
     for &d in &shown {
-        let name = &mode.joints[d];
+        let name = one_line(&mode.joints[d]);
         let pad = name_width - name.chars().count();
         let sign = if mode.vector[d] < 0.0 { '−' } else { '+' };
         let bar = "█".repeat(((mode.share[d] * BAR as f64).round() as usize).max(1));
@@ -177,6 +177,11 @@ fn block(Mode { title, mode }: &Mode<'_>) -> Vec<String> {
         lines.push(format!("and {} more, {:.1}%", order.len() - shown.len(), 100.0 * rest));
     }
     lines
+}
+
+/// A name whose line breaks are shown: a page's own are no part of it.
+pub fn one_line(name: &str) -> String {
+    name.replace('\n', "\\n")
 }
 
 /// A number of things, in words: `1 figure`, `2 figures`.

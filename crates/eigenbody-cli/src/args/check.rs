@@ -4,7 +4,7 @@ use super::ModelArgs;
 use crate::fail_on::FailOn;
 use clap::ValueEnum;
 use serde::Deserialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `eigenbody check`.
 #[derive(Debug, clap::Args)]
@@ -69,6 +69,14 @@ pub struct CheckArgs {
     /// An earlier `--format json`: says what is new, what got worse and what is gone.
     #[arg(long, value_name = "FILE")]
     pub baseline: Option<PathBuf>,
+}
+
+impl CheckArgs {
+    /// Files that are read and written.
+    pub fn files(&self) -> (Vec<&Path>, Vec<&Path>) {
+        let reads = [Some(self.model.path()), self.config.as_deref(), self.baseline.as_deref()];
+        super::files(reads, [self.write_patch.as_deref()])
+    }
 }
 
 /// `eigenbody check`: what to examine, and what to make of it.

@@ -19,13 +19,14 @@ pub use robot::{BaseArg, Loops, ModelArgs, RobotArgs, Switch};
 pub use single::{MatrixArgs, MethodArg, SpectrumArgs};
 
 use clap::{Parser, Subcommand};
+use std::path::Path;
 
 /// How well-conditioned is a robot?
 ///
 /// Computes the joint-space inertia matrix H(q), its eigenvalues and its condition number, and says which joints are to blame.
 /// Without a command: a report on a built-in robot, and what to try next.
 #[derive(Debug, Parser)]
-#[command(name = "eigenbody", version, disable_help_subcommand = true, max_term_width = 100)]
+#[command(name = "eigenbody", version, max_term_width = 100)]
 pub struct Args {
     /// What to compute.
     #[command(subcommand)]
@@ -59,4 +60,45 @@ pub enum Command {
     Info(InfoArgs),
     /// The model in another format, its fixed joints merged.
     Convert(ConvertArgs),
+}
+
+impl Command {
+    /// Files that the command reads and files that it writes. A model's text may name one.
+    pub fn files(&self) -> (Vec<&Path>, Vec<&Path>) {
+        match self {
+            Self::Check(args) => with(args.check.files(), [], [args.output.as_deref()]),
+            Self::Report(args) => with(args.check.files(), [], [Some(&args.output)]),
+            Self::Spectrum(args) => files([Some(args.robot.model.path())], [args.output.as_deref()]),
+            Self::Matrix(args) => files([Some(args.robot.model.path())], [args.output.as_deref()]),
+            Self::Simulate(args) => {
+                let reads = [Some(args.model.path()), args.follow.as_deref(), args.torque.as_deref()];
+                files(reads, args.rows.writes())
+            }
+            Self::Track(args) => files([Some(args.model.path()), Some(&args.log)], args.rows.writes()),
+            Self::Convert(args) => files([Some(Path::new(&args.model))], [Some(&args.output)]),
+            Self::Info(_) | Self::Reproduce(_) => Default::default(),
+            #[cfg(feature = "parquet")]
+            Self::Sweep(_) => Default::default(),
+            #[cfg(feature = "web")]
+            Self::Serve(_) => Default::default(),
+        }
+    }
+}
+
+/// Those paths that are given.
+fn files<'a, const R: usize, const W: usize>(
+    reads: [Option<&'a Path>; R],
+    writes: [Option<&'a Path>; W],
+) -> (Vec<&'a Path>, Vec<&'a Path>) {
+    with(Default::default(), reads, writes)
+}
+
+fn with<'a, const R: usize, const W: usize>(
+    mut known: (Vec<&'a Path>, Vec<&'a Path>),
+    reads: [Option<&'a Path>; R],
+    writes: [Option<&'a Path>; W],
+) -> (Vec<&'a Path>, Vec<&'a Path>) {
+    known.0.extend(reads.into_iter().flatten());
+    known.1.extend(writes.into_iter().flatten());
+    known
 }

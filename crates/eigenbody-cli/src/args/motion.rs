@@ -2,7 +2,7 @@
 
 use super::{ModelArgs, Switch};
 use clap::ValueEnum;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `eigenbody simulate`.
 #[derive(Debug, clap::Args)]
@@ -31,13 +31,13 @@ pub struct SimulateArgs {
     #[arg(long, value_enum, default_value_t = MethodOfMotion::Dopri5)]
     pub method: MethodOfMotion,
 
-    /// Length of a step in seconds, for all methods but dopri5.
-    #[arg(long, value_name = "S", default_value_t = 1e-3, allow_negative_numbers = true)]
-    pub step: f64,
+    /// Length of a step in seconds, for all methods but dopri5 [default: 0.001].
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub step: Option<f64>,
 
-    /// Error of a step that dopri5 allows, in rad, m and units of max(1, |v|).
-    #[arg(long, value_name = "TOL", default_value_t = 1e-9, allow_negative_numbers = true)]
-    pub tolerance: f64,
+    /// Error of a step that dopri5 allows, in rad, m and units of max(1, |v|) [default: 1e-9].
+    #[arg(long, value_name = "TOL", allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
 
     /// How accelerations are found: articulated bodies (aba), or H and its factors (crba). Mimic joints need the matrix.
     #[arg(long, value_enum, default_value_t = DynamicsArg::Aba)]
@@ -52,11 +52,11 @@ pub struct SimulateArgs {
     pub springs: Switch,
 
     /// More damping on joints: a number for all, or 'elbow=1,wrist=0.2' (N m s/rad, N s/m).
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
     pub damping: Option<String>,
 
     /// More stiffness on joints: a number for all, or 'elbow=10,wrist=2' (N m/rad, N/m).
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
 
     /// Where all springs are slack.
@@ -64,19 +64,25 @@ pub struct SimulateArgs {
     pub rest: String,
 
     /// A controller holds this posture.
-    #[arg(long, value_name = "CONFIG", conflicts_with = "follow", allow_hyphen_values = true)]
+    #[arg(long, value_name = "CONFIG", group = "target", allow_hyphen_values = true)]
     pub hold: Option<String>,
 
     /// A controller follows a recorded motion: a table as for `track`.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = "target")]
     pub follow: Option<PathBuf>,
 
     /// The controller's frequency f: gains are (2πf)² and 2ζ 2πf times the diagonal of H at its first target.
-    #[arg(long, value_name = "HZ", default_value_t = 2.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "HZ",
+        default_value_t = 2.0,
+        allow_negative_numbers = true,
+        requires = "target"
+    )]
     pub bandwidth: f64,
 
     /// The controller's damping ratio ζ.
-    #[arg(long, value_name = "Z", default_value_t = 1.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "Z", default_value_t = 1.0, allow_negative_numbers = true, requires = "target")]
     pub damping_ratio: f64,
 
     /// External forces on joints over time: a table with columns t and tau0, tau1, .. or joints' names.
@@ -107,6 +113,13 @@ pub struct RowsArgs {
     /// Draw the quantities over time: .svg or .png.
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+}
+
+impl RowsArgs {
+    /// Files that are written.
+    pub fn writes(&self) -> [Option<&Path>; 2] {
+        [self.output.as_deref(), self.plot.as_deref()]
+    }
 }
 
 /// `eigenbody track`.

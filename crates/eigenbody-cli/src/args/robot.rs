@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use eigenbody::scalar::Dd;
+use std::path::Path;
 
 /// Which robot.
 #[derive(Debug, clap::Args)]
@@ -29,6 +30,13 @@ pub struct ModelArgs {
     /// For a family: last link R times the size of the first, ρ = R^(1/(N−1)).
     #[arg(long, value_name = "R")]
     pub size_ratio: Option<Dd>,
+}
+
+impl ModelArgs {
+    /// Its file, if it is one.
+    pub fn path(&self) -> &Path {
+        Path::new(&self.model)
+    }
 }
 
 /// Which robot, in which configuration.

@@ -3,7 +3,7 @@
 use super::positive;
 use crate::args::{CheckArgs, RemedyArg};
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::{deliver, say};
 use eigenbody::search::Effort;
 use eigenbody::stability::Integrator;
 use eigenbody::{Model, Reduction};
@@ -80,9 +80,7 @@ fn write(model: &Model<f64>, path: &Path, name: &str) -> Result<(), Failure> {
     let text = text.map_err(|source| Failure::Write { model: name.to_owned(), source })?;
     deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
     if is_urdf && model.armature().iter().any(|&a| a > 0.0) {
-        eprintln!(
-            "note: URDF has no armature: it is written as rotors of transmissions, which --rotors on adds"
-        );
+        say("note: URDF has no armature: it is written as rotors of transmissions, which --rotors on adds");
     }
     Ok(())
 }

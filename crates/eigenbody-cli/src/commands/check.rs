@@ -6,7 +6,7 @@ use super::positive;
 use crate::args::{CheckArgs, CheckCommand, CheckFormat, ReportArgs};
 use crate::fail_on::FailOn;
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::{self, deliver};
 use crate::settings::Settings;
 use crate::system::robot;
 use eigenbody::Metric;
@@ -18,6 +18,7 @@ use eigenbody_study::diagnosis::{Diagnosis, Goal, Limits, Question, Remedies, Se
 use eigenbody_study::portrait::worst_portraits;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::time::Duration;
 
 /// A robot, examined.
@@ -32,7 +33,7 @@ struct Examined {
 
 /// Prints what is wrong; false if something is.
 pub fn run(args: &CheckCommand) -> Result<bool, Failure> {
-    let examined = examine(&args.check)?;
+    let examined = examine(&args.check, args.output.as_deref())?;
     let Examined { found, advice, report, settings, .. } = &examined;
     let json = |text: Result<String, serde_json::Error>| {
         text.map(|text| text + "\n").map_err(|error| Failure::Json(error.to_string()))
@@ -48,14 +49,18 @@ pub fn run(args: &CheckCommand) -> Result<bool, Failure> {
         CheckFormat::Sarif => json(report.to_sarif())?,
         CheckFormat::Html => html(&examined)?,
     };
-    deliver(args.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
+    let path = args.output.as_deref();
+    match args.format {
+        CheckFormat::Human => output::page(path, &text)?,
+        _ => deliver(path, |out| out.write_all(text.as_bytes()))?,
+    }
     let fail_on = args.fail_on.as_ref().or(settings.fail_on.as_ref());
     Ok(!fails(fail_on.unwrap_or(&FailOn::Level(Severity::Warning)), found, report))
 }
 
 /// Writes the page.
 pub fn page(args: &ReportArgs) -> Result<(), Failure> {
-    let page = html(&examine(&args.check)?)?;
+    let page = html(&examine(&args.check, Some(&args.output))?)?;
     deliver(Some(&args.output), |out| out.write_all(page.as_bytes()))?;
     deliver(None, |out| writeln!(out, "{}: {} kB", args.output.display(), page.len().div_ceil(1000)))
 }
@@ -82,9 +87,12 @@ fn fails(fail_on: &FailOn, found: &Diagnosis, report: &DiagnosisReport) -> bool 
     }
 }
 
-fn examine(args: &CheckArgs) -> Result<Examined, Failure> {
+fn examine(args: &CheckArgs, output: Option<&Path>) -> Result<Examined, Failure> {
     let (loaded, reduction) = robot(&args.model)?;
     let settings = Settings::find(args.config.as_deref(), &loaded)?;
+    // The file that is found beside the model is read as well.
+    let writes: Vec<&Path> = output.into_iter().chain(args.write_patch.as_deref()).collect();
+    output::check_files(settings.path.as_deref().as_slice(), &writes)?;
     let baseline = args.baseline.as_deref().map(baseline).transpose()?;
     let metric = args.metric.as_ref().or(settings.metric.as_ref());
     let metric = metric.map_or(Ok(Metric::Euclidean), |text| eigenbody_formats::metric(text))?;
@@ -121,7 +129,7 @@ fn failed(name: &str, error: StudyError) -> Failure {
 }
 
 /// An earlier report, and how its file is called.
-fn baseline(path: &std::path::Path) -> Result<(String, Baseline), Failure> {
+fn baseline(path: &Path) -> Result<(String, Baseline), Failure> {
     let text =
         std::fs::read_to_string(path).map_err(|source| Failure::File { path: path.to_owned(), source })?;
     let name = path.display().to_string();

@@ -2,7 +2,7 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::{deliver, say};
 use crate::system::open;
 use eigenbody_formats::{write_mjcf, write_urdf};
 
@@ -20,7 +20,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     };
     let text = text.map_err(|source| Failure::Write { model: args.model.clone(), source })?;
     for finding in loaded.findings() {
-        eprintln!("{finding}");
+        say(finding);
     }
     deliver(Some(&args.output), |out| out.write_all(text.as_bytes()))
 }

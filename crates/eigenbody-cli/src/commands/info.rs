@@ -2,7 +2,7 @@
 
 use crate::args::{BaseArg, InfoArgs};
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::{deliver, page};
 use crate::system::open;
 use eigenbody::Model;
 use eigenbody_report::{BodyRow, DofRow, InfoReport};
@@ -28,7 +28,7 @@ pub fn run(args: &InfoArgs) -> Result<(), Failure> {
             let json = report.to_json().map_err(|error| Failure::Json(error.to_string()))?;
             deliver(None, |out| writeln!(out, "{json}"))
         }
-        false => deliver(None, |out| out.write_all(report.to_text().as_bytes())),
+        false => page(None, &report.to_text()),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::args::MatrixArgs;
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::{deliver, page};
 use crate::system::System;
 use eigenbody::conditioning::allowed_motions;
 use eigenbody::{Matrix, Metric};
@@ -40,6 +40,6 @@ pub fn run(args: &MatrixArgs) -> Result<(), Failure> {
         let json = report.to_json().map_err(|error| Failure::Json(error.to_string()))?;
         deliver(path, |out| writeln!(out, "{json}"))
     } else {
-        deliver(path, |out| write!(out, "{}", report.to_text()))
+        page(path, &report.to_text())
     }
 }

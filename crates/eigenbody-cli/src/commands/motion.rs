@@ -3,7 +3,8 @@
 use crate::args::RowsArgs;
 use crate::failure::Failure;
 use crate::growing::Growing;
-use crate::output::deliver;
+use crate::interrupt;
+use crate::output::{deliver, say};
 use eigenbody::{Error, Model, Reduction};
 use eigenbody_report::{count, figure};
 use eigenbody_study::monitor::{Monitors, Quantity, Spent};
@@ -80,7 +81,7 @@ pub struct Recorder<'m> {
 }
 
 impl<'m> Recorder<'m> {
-    /// Opens the output, and listens for Ctrl-C.
+    /// Opens the output; from now on Ctrl-C stops the run and keeps its rows.
     pub fn new(
         model: &'m Model<f64>,
         name: &str,
@@ -132,12 +133,7 @@ impl<'m> Recorder<'m> {
         let growing = Growing::create(args.output.as_deref(), fields, metadata)?;
         let stop = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&stop);
-        // Without a handler Ctrl-C still ends the run, and the rows so far stand in the partial file.
-        _ = ctrlc::set_handler(move || {
-            if flag.swap(true, Ordering::SeqCst) {
-                std::process::exit(130);
-            }
-        });
+        interrupt::at_first(move || flag.store(true, Ordering::SeqCst));
         let title = name.to_owned();
         Ok(Self { monitors, growing, fields: own, has_velocities, drawn, stop, bar: progress(), title })
     }
@@ -178,19 +174,19 @@ impl<'m> Recorder<'m> {
 
     /// A line for the user, above the progress bar.
     pub fn say(&self, line: &str) {
-        self.bar.suspend(|| eprintln!("{line}"));
+        self.bar.suspend(|| say(line));
     }
 
     /// All rows are there: table and figure under their own names, and what they cost.
     pub fn finish(self, args: &RowsArgs, time: Duration) -> Result<(), Failure> {
         self.bar.finish_and_clear();
+        let spent = self.monitors.spent();
+        let rows = self.growing.finish()?;
         if let (Some(path), Some((times, columns))) = (&args.plot, &self.drawn) {
             draw(path, &self.title, times, &self.fields, columns)?;
         }
-        let spent = self.monitors.spent();
-        let rows = self.growing.finish()?;
         let name = args.output.as_deref().map_or_else(String::new, |path| format!(": {}", path.display()));
-        eprintln!("{} in {:.2} s{name}", count(rows as usize, "row", "rows"), time.as_secs_f64());
+        say(format_args!("{} in {:.2} s{name}", count(rows as usize, "row", "rows"), time.as_secs_f64()));
         let width = spent.iter().map(|spent| spent.what.chars().count()).max().unwrap_or(0);
         for Spent { what, rows, time, factorisations, restarts } in &spent {
             let each = 1e6 * time.as_secs_f64() / (*rows).max(1) as f64;
@@ -200,7 +196,7 @@ impl<'m> Recorder<'m> {
                 let lost = count(*restarts as usize, "end", "ends");
                 line += &format!(", {factorisations:.3} factorisations a row and end, {lost} found again");
             }
-            eprintln!("{line}");
+            say(line);
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ const ZOOM: f32 = 2.0;
 pub fn run(args: &ReproduceArgs) -> Result<bool, Failure> {
     let ids: Vec<&str> = args.ids.iter().chain(&args.figure).map(String::as_str).collect();
     let experiments = select(&ids).map_err(|error| Failure::Usage(error.to_string()))?;
-    folder(&args.output, args.force)?;
+    folder(&args.output, args.force, is_own)?;
     let lab = Lab { quick: args.quick, ..Lab::default() };
 
     let bar = progress(&experiments);
@@ -66,6 +66,13 @@ pub fn run(args: &ReproduceArgs) -> Result<bool, Failure> {
         )
     })?;
     Ok(failed == 0)
+}
+
+/// True for the name of a file that a reproduction writes.
+fn is_own(name: &str) -> bool {
+    let all = select::<&str>(&[]).unwrap_or_default();
+    let is_of = |id: &str| name.strip_prefix(id).is_some_and(|rest| [".csv", ".svg", ".png"].contains(&rest));
+    ["claims.json", "index.html"].contains(&name) || all.iter().any(|experiment| is_of(experiment.id))
 }
 
 /// What is left of an experiment when its files are written.

@@ -2,7 +2,8 @@
 
 use crate::args::{BaseArg, ServeArgs};
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::interrupt;
+use crate::output::{deliver, say};
 use eigenbody_web::{Base, Opening, Options, Server};
 use std::io;
 use std::process::{Command, Stdio};
@@ -17,12 +18,11 @@ pub fn run(args: &ServeArgs) -> Result<(), Failure> {
     let failed = |source| Failure::Listen { port: args.port, source };
     let server = Server::bind(args.port, opening).map_err(failed)?;
     let (stop, url) = (server.stopper(), server.url());
-    // Where no handler can be set, Ctrl-C ends the process all the same.
-    let _ = ctrlc::set_handler(move || stop.stop());
+    interrupt::at_first(move || stop.stop());
     deliver(None, |out| writeln!(out, "{url}"))?;
-    eprintln!("the explorer, for this machine alone; Ctrl-C ends it");
+    say("the explorer, for this machine alone; Ctrl-C ends it");
     if args.open && open(&url).is_err() {
-        eprintln!("note: no browser could be started; open the address above");
+        say("note: no browser could be started; open the address above");
     }
     server.run().map_err(failed)
 }

@@ -1,15 +1,17 @@
 //! `eigenbody simulate`.
 
 use super::motion::{Ending, Recorder, quantities};
-use super::positive;
+use super::{option_gains, positive};
 use crate::args::{DynamicsArg, MethodOfMotion, SimulateArgs, Switch};
 use crate::failure::Failure;
+use crate::output::say;
 use crate::system::robot;
 use eigenbody::dynamics::energy;
 use eigenbody::spatial::Vec3;
 use eigenbody::{Model, Reduction};
 use eigenbody_formats::motion::Wanted;
-use eigenbody_formats::{Loaded, gains, velocity};
+use eigenbody_formats::{Loaded, velocity};
+use eigenbody_report::count;
 use eigenbody_study::simulate::{
     Algorithm, Controller, DORMAND_PRINCE, Forces, Method, RK4, Report, Simulation, State, Steps, Trajectory,
     joint_limits, level, passive_springs,
@@ -17,6 +19,10 @@ use eigenbody_study::simulate::{
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+/// Length of a step (s), where none is given.
+const STEP: f64 = 1e-3;
+/// Error of a step, where none is given.
+const TOLERANCE: f64 = 1e-9;
 /// Events that are printed; more are counted.
 const PRINTED: usize = 20;
 
@@ -69,6 +75,7 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
                     recorder.say(&format!("t = {:.6} s: {}", event.t, event.what));
                 }
             }
+            Report::Step => {}
             Report::Sample(state) => {
                 book.enter(&model, state);
                 if let Err(error) = recorder.record(state, state.t / time) {
@@ -83,7 +90,7 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
         return Err(failure);
     }
     if events > PRINTED {
-        recorder.say(&format!("{} more events", events - PRINTED));
+        recorder.say(&count(events - PRINTED, "more event", "more events"));
     }
     let ending = match outcome {
         Ok(ControlFlow::Continue(())) => Ending::Whole,
@@ -99,13 +106,13 @@ pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
     };
     let effort = simulation.effort();
     recorder.finish(&args.rows, start.elapsed())?;
-    eprintln!(
-        "  {}: {} steps, {} refused, {} accelerations",
+    say(format_args!(
+        "  {}: {}, {} refused, {}",
         method.name(),
-        effort.steps,
+        count(effort.steps as usize, "step", "steps"),
         effort.refused,
-        effort.evaluations
-    );
+        count(effort.evaluations as usize, "acceleration", "accelerations")
+    ));
     book.close(is_free);
     Ok(ending)
 }
@@ -131,19 +138,28 @@ impl Book {
         let why = if is_free { "" } else { ", work of forces included" };
         if self.largest > 0.0 {
             let part = self.drift / self.largest;
-            eprintln!("  energy changes by up to {part:.1e} of the largest kinetic energy{why}");
+            say(format_args!("  energy changes by up to {part:.1e} of the largest kinetic energy{why}"));
         }
     }
 }
 
 fn method(args: &SimulateArgs) -> Result<(Method, Steps), Failure> {
-    let fixed = || Ok::<_, Failure>(Steps::Fixed(positive("--step", args.step)?));
+    let is_adaptive = args.method == MethodOfMotion::Dopri5;
+    if is_adaptive && args.step.is_some() {
+        return Err(Failure::Usage(
+            "--step is for --method euler, rk4 and midpoint; dopri5 has --tolerance".into(),
+        ));
+    }
+    if !is_adaptive && args.tolerance.is_some() {
+        return Err(Failure::Usage("--tolerance is for --method dopri5; the others have --step".into()));
+    }
+    let fixed = || Ok::<_, Failure>(Steps::Fixed(positive("--step", args.step.unwrap_or(STEP))?));
     Ok(match args.method {
         MethodOfMotion::Euler => (Method::SemiImplicitEuler, fixed()?),
         MethodOfMotion::Rk4 => (Method::RungeKutta(RK4), fixed()?),
         MethodOfMotion::Midpoint => (Method::ImplicitMidpoint, fixed()?),
         MethodOfMotion::Dopri5 => {
-            let tolerance = positive("--tolerance", args.tolerance)?;
+            let tolerance = positive("--tolerance", args.tolerance.unwrap_or(TOLERANCE))?;
             (Method::RungeKutta(DORMAND_PRINCE), Steps::Adaptive(tolerance))
         }
     })
@@ -159,9 +175,16 @@ fn forces(args: &SimulateArgs, loaded: &Loaded, reduction: Reduction) -> Result<
         Switch::On => &loaded.springs[..],
         Switch::Off => &[],
     };
-    let more = |text: &Option<String>| text.as_ref().map_or(Ok(Vec::new()), |text| gains(text, model));
+    let more = |option: &str, text: &Option<String>| {
+        text.as_ref().map_or(Ok(Vec::new()), |text| option_gains(option, text, model))
+    };
     // An actuator's feedback is a controller, and that is --hold.
-    let springs = passive_springs(model, own, &more(&args.damping)?, &more(&args.stiffness)?);
+    let springs = passive_springs(
+        model,
+        own,
+        &more("--damping", &args.damping)?,
+        &more("--stiffness", &args.stiffness)?,
+    );
     let target = match (&args.hold, &args.follow) {
         (Some(posture), _) => Some(Trajectory::constant(loaded.configuration(posture, reduction.mimic)?)),
         (None, Some(file)) => Some(Trajectory::read(file, model, reduction.mimic, Wanted::Configurations)?),

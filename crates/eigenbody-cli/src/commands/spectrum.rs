@@ -2,7 +2,7 @@
 
 use crate::args::{MethodArg, SpectrumArgs};
 use crate::failure::Failure;
-use crate::output::deliver;
+use crate::output::{deliver, page};
 use crate::system::System;
 use eigenbody::conditioning::conditioning_closed;
 use eigenbody::{Metric, Question, conditioning_at, count_below};
@@ -21,7 +21,7 @@ pub fn run(args: &SpectrumArgs) -> Result<(), Failure> {
         let json = report.to_json().map_err(|error| Failure::Json(error.to_string()))?;
         deliver(path, |out| writeln!(out, "{json}"))
     } else {
-        deliver(path, |out| write!(out, "{}", report.to_text()))
+        page(path, &report.to_text())
     }
 }
 

@@ -3,8 +3,8 @@
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::output::deliver;
-use eigenbody_report::{PlanRecord, SweepFolder, chunk_text, significant};
-use eigenbody_study::sweep::{Plan, Spec};
+use eigenbody_report::{PlanRecord, SweepFolder, chunk_text, count, significant};
+use eigenbody_study::sweep::{Plan, Spec, SweepError};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use std::path::Path;
@@ -26,7 +26,9 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let folder = SweepFolder::open(output, record)?;
     if !args.merge {
         let mine = |chunk: &u64| args.shard.is_none_or(|shard| shard.has(*chunk));
-        let missing: Vec<u64> = folder.missing().into_iter().filter(mine).collect();
+        // A chunk that something else has damaged is computed again.
+        let is_missing = |chunk: &u64| !folder.is_whole(&plan, *chunk);
+        let missing: Vec<u64> = (0..plan.chunks()).filter(mine).filter(is_missing).collect();
         compute(&plan, &folder, &missing)?;
     }
     let left = folder.missing().len();
@@ -37,7 +39,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         });
     }
     let table = folder.merge(&plan)?;
-    deliver(None, |out| writeln!(out, "{}: {} rows", table.display(), plan.cases()))
+    deliver(None, |out| writeln!(out, "{}: {}", table.display(), count(plan.cases() as usize, "row", "rows")))
 }
 
 fn plan(path: &Path) -> Result<Plan, Failure> {
@@ -45,7 +47,12 @@ fn plan(path: &Path) -> Result<Plan, Failure> {
         std::fs::read_to_string(path).map_err(|source| Failure::File { path: path.to_owned(), source })?;
     let spec = Spec::parse(&text).map_err(|error| Failure::Usage(format!("{}:{error}", path.display())))?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    Plan::new(spec, folder).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))
+    Plan::new(spec, folder).map_err(|error| {
+        Failure::Usage(match error {
+            SweepError::Spec(error) => format!("{}:{error}", path.display()),
+            error => format!("{}: {error}", path.display()),
+        })
+    })
 }
 
 /// One thread a chunk, as many chunks at a time as there are threads.
@@ -93,12 +100,14 @@ fn rehearse(plan: &Plan) -> Result<(), Failure> {
     let total = cases * seconds / tried as f64;
     let megabytes = cases * bytes as f64 / tried as f64 / 1e6;
     deliver(None, |out| {
-        writeln!(out, "{} cases in {} chunks", plan.cases(), plan.chunks())?;
+        let (cases, chunks) = (plan.cases() as usize, plan.chunks() as usize);
+        writeln!(out, "{} in {}", count(cases, "case", "cases"), count(chunks, "chunk", "chunks"))?;
         writeln!(
             out,
-            "at most {} s on one thread, {} s on {threads} (from {tried} cases)",
+            "at most {} s on one thread, {} s on {threads} (from {})",
             significant(total, 2),
-            significant(total / threads as f64, 2)
+            significant(total / threads as f64, 2),
+            count(tried as usize, "case", "cases")
         )?;
         writeln!(out, "about {} MB of chunks", significant(megabytes, 2))
     })

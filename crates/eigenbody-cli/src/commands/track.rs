@@ -3,9 +3,11 @@
 use super::motion::{Ending, Recorder, quantities};
 use crate::args::TrackArgs;
 use crate::failure::Failure;
+use crate::output::say;
 use crate::system::robot;
 use eigenbody_formats::motion::Skipped;
 use eigenbody_formats::{Motion, MotionOptions};
+use eigenbody_report::count;
 use eigenbody_study::simulate::State;
 use std::time::Instant;
 
@@ -56,9 +58,10 @@ fn say_skipped(skipped: Skipped, rows: u64) {
     let said: Vec<String> =
         kinds.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
     if !said.is_empty() {
-        eprintln!("skipped {} of {} rows: {}", skipped.rows(), rows + skipped.rows(), said.join(", "));
+        let all = count((rows + skipped.rows()) as usize, "row", "rows");
+        say(format_args!("skipped {} of {all}: {}", skipped.rows(), said.join(", ")));
     }
     if skipped.gaps > 0 {
-        eprintln!("{} in time", eigenbody_report::count(skipped.gaps as usize, "gap", "gaps"));
+        say(format_args!("{} in time", count(skipped.gaps as usize, "gap", "gaps")));
     }
 }

@@ -83,6 +83,9 @@ impl Columns {
         }
         self.velocities = velocities > 0;
         if options.wanted == Wanted::Forces {
+            if !self.slots.iter().any(|slot| matches!(slot, Some(Slot::Coordinate(_)))) {
+                return Err("no column of forces: tau0, tau1, .. or names of degrees of freedom".into());
+            }
             self.template = vec![0.0; count];
             return Ok(());
         }

@@ -15,10 +15,12 @@ pub enum MotionError {
         fault: FileFault,
     },
     /// The columns do not fit the robot.
-    #[error("{}: {}", OneLine(file), OneLine(problem))]
+    #[error("{}{}: {}", OneLine(file), line.map_or_else(String::new, |line| format!(":{line}")), OneLine(problem))]
     Heading {
         /// The file.
         file: String,
+        /// Line of a CSV file.
+        line: Option<u64>,
         /// What does not fit.
         problem: String,
     },

@@ -13,6 +13,7 @@
 
 mod columns;
 mod fault;
+mod lines;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod table;
@@ -100,8 +101,11 @@ impl<'m> Motion<'m> {
             return Err(MotionError::File { file, fault: FileFault::Directory });
         }
         let (table, names) = Table::open(path, &file)?;
-        let columns = Columns::find(&names, model, &options)
-            .map_err(|problem| MotionError::Heading { file: file.clone(), problem })?;
+        let columns = Columns::find(&names, model, &options).map_err(|problem| MotionError::Heading {
+            file: file.clone(),
+            line: table.line(),
+            problem,
+        })?;
         Ok(Self {
             model,
             file,

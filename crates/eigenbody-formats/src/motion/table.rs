@@ -1,8 +1,10 @@
 //! Rows of cells, whatever the file.
 
 use super::fault::MotionError;
+use super::lines::Lines;
 use crate::error::FileFault;
 use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
 
 /// One cell.
@@ -17,7 +19,7 @@ pub(super) enum Cell {
 /// An open file.
 pub(super) enum Table {
     Csv {
-        records: csv::StringRecordsIntoIter<File>,
+        records: csv::StringRecordsIntoIter<Lines<BufReader<File>>>,
         bytes: u64,
     },
     #[cfg(feature = "parquet")]
@@ -43,7 +45,10 @@ impl Table {
             return Err(fault(FileFault::Io("Parquet is not built in (feature parquet)".into())));
         }
         let bytes = opened.metadata().map_or(0, |metadata| metadata.len());
-        let mut reader = csv::ReaderBuilder::new().flexible(true).comment(Some(b'#')).from_reader(opened);
+        let mut reader = csv::ReaderBuilder::new()
+            .flexible(true)
+            .comment(Some(b'#'))
+            .from_reader(Lines::new(BufReader::new(opened)));
         let names: Vec<String> = match reader.headers() {
             Ok(names) => names.iter().map(str::to_owned).collect(),
             Err(error) => return Err(fault(FileFault::Io(error.to_string()))),
@@ -54,10 +59,19 @@ impl Table {
         Ok((Self::Csv { records: reader.into_records(), bytes }, names))
     }
 
+    /// Where the last row or heading of a CSV file ends.
+    pub fn line(&self) -> Option<u64> {
+        match self {
+            Self::Csv { records, .. } => Some(records.reader().position().line() - 1),
+            #[cfg(feature = "parquet")]
+            Self::Parquet(_) => None,
+        }
+    }
+
     pub fn progress(&self) -> f64 {
         match self {
             Self::Csv { records, bytes } => {
-                records.reader().position().byte() as f64 / (*bytes).max(1) as f64
+                (records.reader().position().byte() as f64 / (*bytes).max(1) as f64).min(1.0)
             }
             #[cfg(feature = "parquet")]
             Self::Parquet(rows) => rows.progress(),
@@ -72,12 +86,11 @@ impl Table {
                 let record = match record {
                     Ok(record) => record,
                     // Bytes that are no text make a row bad, not the file.
-                    Err(error) => match error.position().filter(|_| !error.is_io_error()) {
-                        Some(at) => return Ok(Some((at.line(), Vec::new()))),
-                        None => return Err(error.to_string()),
-                    },
+                    Err(error) if error.is_io_error() => return Err(error.to_string()),
+                    Err(_) => return Ok(Some((records.reader().position().line() - 1, Vec::new()))),
                 };
-                let line = record.position().map_or(0, csv::Position::line);
+                let breaks: usize = record.iter().map(|cell| cell.matches('\n').count()).sum();
+                let line = records.reader().position().line() - 1 - breaks as u64;
                 let cell = |text: &str| match text.trim() {
                     "" => Cell::Empty,
                     word => word.parse().map_or_else(|_| Cell::Text(word.to_owned()), Cell::Number),

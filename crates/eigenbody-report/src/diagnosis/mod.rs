@@ -11,6 +11,7 @@ pub use advice::{AddedReport, AdviceReport, advice_text};
 pub use baseline::{Baseline, Change, Comparison, Fixed, State};
 pub use stepping::SteppingReport;
 pub use text::diagnosis_text;
+pub(crate) use text::nothing_found;
 
 use eigenbody::search::Measure;
 use eigenbody_formats::{Kind, Loaded, Location};

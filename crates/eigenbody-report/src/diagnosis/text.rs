@@ -2,9 +2,18 @@
 
 use super::stepping::{shares, stepping_text};
 use super::words::{advice, message, number, severity};
+use crate::text::count;
 use eigenbody::search::Measure;
 use eigenbody_study::diagnosis::{Blame, Diagnosis, Finding, Mechanism, Parameter, Sensitivity, Use, Worst};
 use std::fmt::Write;
+
+/// What is said where there is no finding.
+pub(crate) fn nothing_found(dofs: usize) -> &'static str {
+    match dofs {
+        0 => "The robot cannot move: it has no degree of freedom, and nothing was assessed.",
+        _ => "Nothing found: well-conditioned for solves, gains and single precision.",
+    }
+}
 
 /// Joints and links named of a mode.
 const NAMED: usize = 3;
@@ -18,9 +27,9 @@ pub fn diagnosis_text(model: &str, found: &Diagnosis, model_findings: &[String])
     let mut page = format!("{model}\n");
     let _ = writeln!(
         page,
-        "  {} degrees of freedom, {} configurations within the joint limits\n",
-        found.dofs.len(),
-        found.evaluations
+        "  {}, {} within the joint limits\n",
+        count(found.dofs.len(), "degree of freedom", "degrees of freedom"),
+        count(found.evaluations, "configuration", "configurations")
     );
     for worst in &found.worst {
         page.push_str(&line(worst, found.unit));
@@ -39,7 +48,7 @@ pub fn diagnosis_text(model: &str, found: &Diagnosis, model_findings: &[String])
         }
     }
     if found.findings.is_empty() {
-        let _ = writeln!(page, "\n  Nothing found: well-conditioned for solves, gains and single precision.");
+        let _ = writeln!(page, "\n  {}", nothing_found(found.dofs.len()));
     }
     // Findings that come of the same configuration are explained once.
     for group in found.findings.chunk_by(|a, b| a.at == b.at) {

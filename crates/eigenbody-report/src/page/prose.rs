@@ -49,7 +49,7 @@ pub(super) fn lead(page: &Page) -> Html {
 pub(super) fn findings(report: &DiagnosisReport) -> Html {
     let mut whole = Html::new();
     if report.findings.is_empty() {
-        let text = "Nothing found: well-conditioned for solves, gains and single precision.";
+        let text = crate::diagnosis::nothing_found(report.dofs);
         let words = Html::element("p", &[("class", "what")], Html::text(text));
         whole.push(Html::element("div", &[("class", "finding clean")], words));
     }

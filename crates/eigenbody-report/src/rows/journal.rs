@@ -52,7 +52,7 @@ impl<W: Write> RowsCsv<W> {
 
     fn line(&mut self, cells: impl Iterator<Item = String>) -> io::Result<()> {
         let mut writer = csv::WriterBuilder::new().from_writer(&mut self.waiting);
-        writer.write_record(cells)?;
+        writer.write_record(cells).map_err(crate::table::io_of)?;
         writer.flush()
     }
 

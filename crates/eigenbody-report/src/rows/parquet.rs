@@ -29,6 +29,17 @@ pub enum ParquetFailure {
     Format(#[from] ParquetError),
 }
 
+impl ParquetFailure {
+    /// As whoever writes files has it.
+    #[must_use]
+    pub fn into_io(self) -> io::Error {
+        match self {
+            Self::Io(source) => source,
+            other => io::Error::other(other.to_string()),
+        }
+    }
+}
+
 /// Writes rows under these fields.
 ///
 /// # Errors

@@ -111,8 +111,7 @@ pub(super) fn findings(found: &Diagnosis, limits: &Limits) -> Vec<Finding> {
 
 /// The step that is wanted is not stable everywhere.
 fn time_step(stepping: &Stepping) -> Option<Finding> {
-    let step = stepping.step?;
-    let finding = |limit: f64, joints: Vec<String>, at: Vec<f64>| Finding {
+    let finding = |step: f64, limit: f64, joints: Vec<String>, at: Vec<f64>| Finding {
         id: "time-step",
         severity: Severity::Warning,
         endangers: Use::Stepping,
@@ -123,11 +122,13 @@ fn time_step(stepping: &Stepping) -> Option<Finding> {
         mechanism: None,
     };
     if !stepping.passive {
-        return Some(finding(0.0, Vec::new(), Vec::new()));
+        // Without a step of its own: none of any length is stable.
+        return Some(finding(stepping.step.unwrap_or(f64::INFINITY), 0.0, Vec::new(), Vec::new()));
     }
+    let step = stepping.step?;
     let own = stepping.limits.iter().find(|limit| limit.integrator == stepping.integrator)?;
     let joints = nine_tenths(&own.dofs);
-    (step > own.step).then(|| finding(own.step, joints, own.at.clone()))
+    (step > own.step).then(|| finding(step, own.step, joints, own.at.clone()))
 }
 
 /// As many names as make up nine tenths.

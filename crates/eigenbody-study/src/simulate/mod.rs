@@ -111,6 +111,8 @@ pub enum Report<'a> {
     Sample(&'a State),
     /// A watched function has changed its sign.
     Event(Event),
+    /// A step was taken: whoever wants no more may say so.
+    Step,
 }
 
 /// The motion of a mechanism under gravity alone, sampled at equal intervals, the start included.

@@ -260,6 +260,9 @@ impl<'m> Simulation<'m> {
         while next <= intervals {
             let limit = if self.tolerance.is_none() && self.h <= interval { time(next) } else { end };
             self.step(if next == intervals { end } else { limit })?;
+            if report(Report::Step).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
             let mut events = Vec::new();
             for watch in watches.iter_mut() {
                 events.extend(watch.after(self, &mut room)?);

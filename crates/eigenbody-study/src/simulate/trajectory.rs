@@ -59,6 +59,7 @@ impl Trajectory {
         };
         let failed = |error: InputError| MotionError::Heading {
             file: file.display().to_string(),
+            line: None,
             problem: error.to_string(),
         };
         Self::new(times, rows, width).map_err(failed)

@@ -94,7 +94,7 @@ impl Hash {
     }
 
     fn group(&mut self, group: &Group) {
-        let Group { robots, floating, mimic, reduced, at, random } = group;
+        let Group { robots, floating, mimic, reduced, at, random, places: _ } = group;
         match robots {
             Robots::Models(models) => {
                 self.text("models");

@@ -13,4 +13,4 @@ mod spec;
 
 pub use plan::{Case, Chunk, Plan, SweepError};
 pub use quantity::Quantity;
-pub use spec::{Axis, Group, Robots, Spec, SpecError};
+pub use spec::{Axis, Group, Places, Robots, Spec, SpecError};

@@ -8,7 +8,7 @@ use eigenbody::{Base, Error, Metric, Question, Reduction, conditioning_at};
 use eigenbody_formats::{FormatError, LoadOptions, Loaded, load_from};
 use thiserror::Error;
 
-use super::spec::{Axis, Group, Robots, Spec};
+use super::spec::{Axis, Group, Robots, Spec, SpecError};
 use super::{Quantity, fingerprint};
 use crate::{Cell, Field};
 
@@ -21,6 +21,9 @@ const LARGEST: u64 = 1 << 14;
 /// Why a case has no row.
 #[derive(Debug, Error)]
 pub enum SweepError {
+    /// A configuration that a robot does not have, at its place in the spec.
+    #[error(transparent)]
+    Spec(#[from] SpecError),
     /// A robot or a configuration cannot be read.
     #[error("case {case}: {source}")]
     Format {
@@ -119,7 +122,7 @@ impl Plan {
     /// Numbers the cases of a spec whose paths are seen from `folder`, the spec's own; empty for the current one. Rows do not depend on
     /// where that is.
     ///
-    /// Errors: [`SweepError`] if a robot that a chunk's size depends on cannot be read.
+    /// Errors: [`SweepError`] if a robot that a chunk's size depends on cannot be read, or does not have a configuration of its group.
     pub fn new(spec: Spec, folder: &Path) -> Result<Self, SweepError> {
         let mut starts = vec![0];
         for group in &spec.groups {
@@ -143,6 +146,12 @@ impl Plan {
                 let loaded = plan.load(&case)?;
                 if is_named {
                     plan.models.push((case.model.clone(), fingerprint::of_robot(&loaded)));
+                }
+                let mimic = plan.reduction(&case, &loaded).mimic;
+                let Group { at, places, .. } = &plan.spec.groups[group];
+                for (k, text) in at.iter().enumerate() {
+                    let of = |error| places.error(k, format!("{error} (of {})", case.model));
+                    loaded.configuration(text, mimic).map_err(of)?;
                 }
                 let n = loaded.model.nv() as f64;
                 dearest = dearest.max(if n <= 200.0 { n * n } else { 200.0 * n });

@@ -3,6 +3,8 @@
 use eigenbody_formats::metric;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
+use std::fmt;
+use std::ops::Range;
 use thiserror::Error;
 use toml::Spanned;
 
@@ -54,7 +56,7 @@ pub struct Spec {
 }
 
 /// Robots with the same configurations.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Group {
     /// Which robots.
     pub robots: Robots,
@@ -66,8 +68,42 @@ pub struct Group {
     pub reduced: bool,
     /// Configurations by their expressions.
     pub at: Vec<String>,
+    /// Where they stand in the text: all that they are is their expressions.
+    pub places: Places,
     /// So many random ones besides.
     pub random: u64,
+}
+
+impl fmt::Debug for Group {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { robots, floating, mimic, reduced, at, random, places: _ } = self;
+        f.debug_struct("Group")
+            .field("robots", robots)
+            .field("floating", floating)
+            .field("mimic", mimic)
+            .field("reduced", reduced)
+            .field("at", at)
+            .field("random", random)
+            .finish()
+    }
+}
+
+/// Lines and columns of a group's configurations. They say nothing about the sweep: two specs that differ in them alone are the same.
+#[derive(Clone, Default)]
+pub struct Places(Vec<(usize, usize)>);
+
+impl Places {
+    /// An error at configuration k.
+    pub fn error(&self, k: usize, what: String) -> SpecError {
+        let (line, column) = self.0.get(k).copied().unwrap_or((1, 1));
+        SpecError { line, column, what }
+    }
+}
+
+impl PartialEq for Places {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// Which robots a group has.
@@ -157,15 +193,26 @@ impl Spec {
             let offset = error.span().map_or(0, |span| span.start);
             located(text, (offset, error.message().trim().replace('\n', "; ")))
         })?;
-        document.spec().map_err(|fault| located(text, fault))
+        document.spec(text).map_err(|fault| located(text, fault))
     }
 }
 
 fn located(text: &str, (offset, what): Fault) -> SpecError {
+    let (line, column) = place(text, offset);
+    SpecError { line, column, what }
+}
+
+/// Where a word of a list stands, the list itself if it is not written as it is meant.
+fn within(text: &str, list: Range<usize>, word: &str) -> usize {
+    let found = text.get(list.clone()).and_then(|list| list.find(word));
+    list.start + found.unwrap_or(0)
+}
+
+fn place(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
     let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-    SpecError { line, column, what }
+    (line, column)
 }
 
 #[derive(Deserialize)]
@@ -196,7 +243,7 @@ struct RawGroup {
     mimic: Option<bool>,
     #[serde(default)]
     reduced: bool,
-    at: Option<OneOrMany<String>>,
+    at: Option<Spanned<OneOrMany<String>>>,
     #[serde(default)]
     random: u64,
 }
@@ -246,7 +293,7 @@ enum Scale {
 }
 
 impl Document {
-    fn spec(self) -> Result<Spec, Fault> {
+    fn spec(self, text: &str) -> Result<Spec, Fault> {
         let metric_text = match &self.metric {
             None => "euclidean".to_owned(),
             Some(text) => {
@@ -265,7 +312,7 @@ impl Document {
             .into_iter()
             .map(|group| {
                 let start = group.span().start;
-                group.into_inner().group(start)
+                group.into_inner().group(start, text)
             })
             .collect::<Result<_, _>>()?;
         let spec = Spec { seed: self.seed, metric: metric_text, quantities, groups };
@@ -284,7 +331,7 @@ fn quantity(name: &Spanned<String>) -> Result<Quantity, Fault> {
 }
 
 impl RawGroup {
-    fn group(self, start: usize) -> Result<Group, Fault> {
+    fn group(self, start: usize, text: &str) -> Result<Group, Fault> {
         let mut floating = Vec::new();
         for base in self.base.map(|base| (base.span().start, base.into_inner().into_vec())).into_iter() {
             for name in base.1 {
@@ -301,7 +348,9 @@ impl RawGroup {
         if self.reduced && floating.contains(&false) {
             return Err((start, "reduced removes a floating base: add base = \"floating\"".into()));
         }
-        let mut at = self.at.map(OneOrMany::into_vec).unwrap_or_default();
+        let span = self.at.as_ref().map_or(start..start, Spanned::span);
+        let mut at = self.at.map(|at| at.into_inner().into_vec()).unwrap_or_default();
+        let places = Places(at.iter().map(|at| place(text, within(text, span.clone(), at))).collect());
         if at.is_empty() && self.random == 0 {
             at.push("zero".to_owned());
         }
@@ -343,7 +392,15 @@ impl RawGroup {
             }
             _ => return Err((start, "robots have either a model or a family".into())),
         };
-        Ok(Group { robots, floating, mimic: self.mimic, reduced: self.reduced, at, random: self.random })
+        Ok(Group {
+            robots,
+            floating,
+            mimic: self.mimic,
+            reduced: self.reduced,
+            at,
+            places,
+            random: self.random,
+        })
     }
 }
 

@@ -23,6 +23,7 @@ fn watched(model: &Model<f64>, q: &[f64], v: &[f64], watches: &mut [Watch<'_>]) 
                     events.push(event);
                 }
                 Report::Sample(state) => times.push(state.t),
+                Report::Step => {}
             }
             ControlFlow::Continue(())
         })
