@@ -72,7 +72,7 @@ fn families() {
     assert_snapshot!(failure(&["spectrum", "hydra(10,1,0,0)"]), @"error: hydra(10,1,0,0), column 14: ρ = 0: the taper is a positive number");
     assert_snapshot!(failure(&["spectrum", "hyrda(10)"]), @"error: no model 'hyrda(10)': no such file, and none of hydra(N,B,α,ρ), onion(N,B,α,ρ), auto_tree(N,B,α,ρ), chain(N,m,l), puma560; did you mean 'hydra'?");
     assert_snapshot!(failure(&["spectrum", "hydra(10"]), @"error: hydra(10, column 9: expected ')', found the end");
-    assert_snapshot!(failure(&["spectrum", "hydra(400,1,0,10)"]), @"error: hydra(400,1,0,10): inertia of link 'link_62' is not a finite number");
+    assert_snapshot!(failure(&["spectrum", "hydra(400,1,0,10)"]), @"error: hydra(400,1,0,10): inertia of link 'link_63' is not a finite number");
     assert_snapshot!(failure(&["matrix", "hydra(1000000,1,0,1)"]), @"error: hydra(1000000,1,0,1): a dense matrix of 1000000 × 1000000 entries is too large (limit 20000 × 20000)");
 }
 

@@ -275,9 +275,9 @@ fn slips_are_noted() {
         let findings = loaded(&format!("<link name='a'>{link}</link>")).findings();
         findings.into_iter().filter(|line| line.contains("means nothing")).collect::<Vec<_>>()
     };
-    assert_snapshot!(notes("<inertal><mass>2</mass></inertal>").concat(), @"m.sdf:1:52: warning: <inertal> in link 'a' means nothing there and is passed over; did you mean 'inertial'?");
-    assert_snapshot!(notes("<inertial><mas>2</mas></inertial>").concat(), @"m.sdf:1:62: warning: <mas> in <inertial> means nothing there and is passed over; did you mean 'mass'?");
-    assert_snapshot!(notes("<pose relative='b'>0 0 1 0 0 0</pose>").concat(), @"m.sdf:1:58: warning: 'relative' in <pose> means nothing there and is passed over");
+    assert_snapshot!(notes("<inertal><mass>2</mass></inertal>").concat(), @"m.sdf:1:51: warning: <inertal> in link 'a' means nothing there and is passed over; did you mean 'inertial'?");
+    assert_snapshot!(notes("<inertial><mas>2</mas></inertial>").concat(), @"m.sdf:1:61: warning: <mas> in <inertial> means nothing there and is passed over; did you mean 'mass'?");
+    assert_snapshot!(notes("<pose relative='b'>0 0 1 0 0 0</pose>").concat(), @"m.sdf:1:57: warning: 'relative' in <pose> means nothing there and is passed over");
     assert_eq!(
         notes("<enable_gravity>1</enable_gravity><particle_emitter/><custom:mass xmlns:custom='x'/>"),
         [""; 0]

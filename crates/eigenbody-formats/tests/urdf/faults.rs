@@ -183,6 +183,7 @@ fn slips_are_noted() {
         let loaded = read_urdf_str(&text, "r.urdf", &UrdfOptions::default()).unwrap();
         loaded.findings().into_iter().filter(|line| line.contains("means nothing")).collect::<Vec<_>>()
     };
+    let fixed = "<joint name='f' type='fixed'><parent link='a'/><child link='b'/></joint>";
     let joint = |rest: &str| {
         notes(&format!("<joint name='j' type='revolute'><parent link='a'/><child link='b'/>{rest}</joint>"))
             .concat()
@@ -191,11 +192,11 @@ fn slips_are_noted() {
     assert_snapshot!(joint("<origin xzy='0 0 1'/>"), @"r.urdf:1:124: warning: 'xzy' in <origin> means nothing there and is passed over; did you mean 'xyz'?");
     assert_snapshot!(joint("<axes xyz='0 0 1'/>"), @"r.urdf:1:116: warning: <axes> in joint 'j' means nothing there and is passed over; did you mean 'axis'?");
     assert_snapshot!(joint("<limit low='1'/>"), @"r.urdf:1:123: warning: 'low' in <limit> means nothing there and is passed over");
-    assert_snapshot!(notes("<lnk name='c'/>").concat(), @"r.urdf:1:49: warning: <lnk> in robot 'r' means nothing there and is passed over; did you mean 'link'?");
+    assert_snapshot!(notes(&format!("{fixed}<lnk name='c'/>")).concat(), @"r.urdf:1:121: warning: <lnk> in robot 'r' means nothing there and is passed over; did you mean 'link'?");
     let others =
         "<gazebo reference='a'/><sensor/><link name='c' id='3'><contact/><self_collision_checking/></link>
         <joint name='k' type='fixed'><parent link='a'/><child link='c'/><hardwareInterface/></joint>";
-    assert_eq!(notes(others), [""; 0]);
+    assert_eq!(notes(&format!("{fixed}{others}")), [""; 0]);
 }
 
 #[test]
