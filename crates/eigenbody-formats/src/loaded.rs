@@ -133,8 +133,8 @@ pub enum Note {
     Slip {
         /// The word, and where it stands.
         word: String,
-        /// What may have been meant: `; did you mean 'origin'?`, or nothing.
-        suggestion: String,
+        /// What may have been meant.
+        meant: String,
     },
 }
 
@@ -222,8 +222,8 @@ impl fmt::Display for Note {
             Self::OutsideWorld { element } => {
                 write!(f, "{element} stands outside <worldbody> and is passed over")
             }
-            Self::Slip { word, suggestion } => {
-                write!(f, "{word} means nothing there and is passed over{suggestion}")
+            Self::Slip { word, meant } => {
+                write!(f, "{word} means nothing there and is passed over; did you mean '{meant}'?")
             }
             Self::ArmatureIgnored { element } => {
                 write!(f, "{element} has armature that couples several joints: H is without it")

@@ -1,12 +1,15 @@
-//! Words that a reader passes over, and that are a slip of the fingers away from one that would change what it reads.
+//! Words that a reader passes over, and that are a slip of the fingers away from one that would change what it reads, or its beginning.
 //!
 //! URDF and SDF have room for words of others, so a word that is not known is no error: it is noted where it may have been meant
 //! otherwise. (MJCF has a closed language: see its schema.)
 
 use crate::loaded::Note;
-use crate::suggest::{did_you_mean, nearest};
+use crate::suggest::nearest;
 
-/// What may stand in an element. Attributes are looked at where some are listed, and then these are all.
+/// Letters from which on the beginning of a word may stand for it.
+const BEGINNING: usize = 3;
+
+/// What may stand in an element.
 pub(crate) struct Words {
     pub tag: &'static str,
     pub children: &'static [&'static str],
@@ -36,22 +39,29 @@ pub(crate) fn slips<E: Tagged>(element: &E, vocabulary: &[Words]) -> Vec<(E::At,
 
 fn look<E: Tagged>(element: &E, vocabulary: &[Words], found: &mut Vec<(E::At, Note)>) {
     let Some(words) = vocabulary.iter().find(|words| words.tag == element.tag()) else { return };
-    let mut note = |at: E::At, word: String, suggestion: String| {
-        found.push((at, Note::Slip { word: format!("{word} in {}", element.described()), suggestion }));
+    let mut note = |at: E::At, word: &str, quoted: String, known: &[&str]| {
+        if let Some(meant) = meant(word, known) {
+            let word = format!("{quoted} in {}", element.described());
+            found.push((at, Note::Slip { word, meant: meant.to_owned() }));
+        }
     };
     for (name, at) in element.attributes() {
-        if !words.attributes.is_empty() && !words.attributes.contains(&name.as_str()) {
-            note(at, format!("'{name}'"), did_you_mean(&name, words.attributes.iter().copied()));
-        }
+        note(at, &name, format!("'{name}'"), words.attributes);
     }
     let children = element.children();
     for child in &children {
-        let tag = child.tag();
-        if !words.children.contains(&tag) && nearest(tag, words.children.iter().copied()).is_some() {
-            note(child.at(), format!("<{tag}>"), did_you_mean(tag, words.children.iter().copied()));
-        }
+        note(child.at(), child.tag(), format!("<{}>", child.tag()), words.children);
     }
     for child in children.iter().filter(|child| words.children.contains(&child.tag())) {
         look(child, vocabulary, found);
     }
+}
+
+/// The word that an unknown one may stand for.
+fn meant<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    if known.contains(&word) {
+        return None;
+    }
+    let begun = || known.iter().copied().find(|known| word.len() >= BEGINNING && known.starts_with(word));
+    nearest(word, known.iter().copied()).or_else(begun)
 }

@@ -277,7 +277,7 @@ fn slips_are_noted() {
     };
     assert_snapshot!(notes("<inertal><mass>2</mass></inertal>").concat(), @"m.sdf:1:51: warning: <inertal> in link 'a' means nothing there and is passed over; did you mean 'inertial'?");
     assert_snapshot!(notes("<inertial><mas>2</mas></inertial>").concat(), @"m.sdf:1:61: warning: <mas> in <inertial> means nothing there and is passed over; did you mean 'mass'?");
-    assert_snapshot!(notes("<pose relative='b'>0 0 1 0 0 0</pose>").concat(), @"m.sdf:1:57: warning: 'relative' in <pose> means nothing there and is passed over");
+    assert_snapshot!(notes("<pose relative='b'>0 0 1 0 0 0</pose>").concat(), @"m.sdf:1:57: warning: 'relative' in <pose> means nothing there and is passed over; did you mean 'relative_to'?");
     assert_eq!(
         notes("<enable_gravity>1</enable_gravity><particle_emitter/><custom:mass xmlns:custom='x'/>"),
         [""; 0]

@@ -191,11 +191,11 @@ fn slips_are_noted() {
     assert_snapshot!(joint("<orgin xyz='0 0 1'/>"), @"r.urdf:1:116: warning: <orgin> in joint 'j' means nothing there and is passed over; did you mean 'origin'?");
     assert_snapshot!(joint("<origin xzy='0 0 1'/>"), @"r.urdf:1:124: warning: 'xzy' in <origin> means nothing there and is passed over; did you mean 'xyz'?");
     assert_snapshot!(joint("<axes xyz='0 0 1'/>"), @"r.urdf:1:116: warning: <axes> in joint 'j' means nothing there and is passed over; did you mean 'axis'?");
-    assert_snapshot!(joint("<limit low='1'/>"), @"r.urdf:1:123: warning: 'low' in <limit> means nothing there and is passed over");
+    assert_snapshot!(joint("<limit low='1'/>"), @"r.urdf:1:123: warning: 'low' in <limit> means nothing there and is passed over; did you mean 'lower'?");
     assert_snapshot!(notes(&format!("{fixed}<lnk name='c'/>")).concat(), @"r.urdf:1:121: warning: <lnk> in robot 'r' means nothing there and is passed over; did you mean 'link'?");
     let others =
-        "<gazebo reference='a'/><sensor/><link name='c' id='3'><contact/><self_collision_checking/></link>
-        <joint name='k' type='fixed'><parent link='a'/><child link='c'/><hardwareInterface/></joint>";
+        "<gazebo reference='a'/><sensor/><link name='c' id='3'><contact/></link>
+        <joint name='k' type='fixed'><parent link='a'/><child link='c'/><limit current='1' gear_velocity='10'/></joint>";
     assert_eq!(notes(&format!("{fixed}{others}")), [""; 0]);
 }
 
