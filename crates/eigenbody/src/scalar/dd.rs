@@ -57,7 +57,7 @@ fn low_part(a: f64, b: f64, p: f64) -> f64 {
     ((ah * bh - p) + ah * bl + al * bh) + al * bl
 }
 
-/// [`low_part`] with a factor beyond 2⁹⁹⁶, whose upper bits alone may be out of range: all of it by the 2⁵³rd part of that factor.
+/// [`low_part`] with a factor beyond 2⁹⁹⁶, whose upper bits alone may be out of range, so that it is no number: all of it by the 2⁵³rd part of that factor.
 #[cold]
 fn low_part_of_large(a: f64, b: f64, p: f64) -> f64 {
     const UNIT: f64 = (1u64 << 53) as f64;
@@ -67,16 +67,12 @@ fn low_part_of_large(a: f64, b: f64, p: f64) -> f64 {
 
 #[inline(always)]
 fn two_prod(a: f64, b: f64) -> (f64, f64) {
-    const LARGE: f64 = f64::MAX / (1u64 << 28) as f64;
     let p = a * b;
-    let e = if cfg!(target_feature = "fma") {
-        a.mul_add(b, -p)
-    } else if a.abs() > LARGE || b.abs() > LARGE {
-        low_part_of_large(a, b, p)
-    } else {
-        low_part(a, b, p)
-    };
-    (p, e)
+    if cfg!(target_feature = "fma") {
+        return (p, a.mul_add(b, -p));
+    }
+    let e = low_part(a, b, p);
+    (p, if e.is_nan() { low_part_of_large(a, b, p) } else { e })
 }
 
 impl Dd {
