@@ -79,7 +79,7 @@ pub fn time() -> Outcome {
             pencils.push((format!("sweep {name} {n}"), Robot::new(n, branching, skew)?));
         }
     }
-    let pencils: Vec<_> = pencils.iter().map(|(name, robot)| (name, robot.pencil())).collect();
+    let pencils: Vec<_> = pencils.iter().map(|(name, robot)| (name.clone(), robot.pencil())).collect();
 
     let mut clock = Clock::default();
     for (n, robot) in LARGE.iter().zip(&large) {
