@@ -6,6 +6,7 @@
 //! random numbers of a case = mix(seed, case), so that no case depends on who computes it
 //! ```
 
+mod document;
 mod fingerprint;
 mod plan;
 mod quantity;
