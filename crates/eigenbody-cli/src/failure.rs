@@ -1,6 +1,6 @@
 //! Everything that ends a command with status 2: one line each.
 
-use eigenbody_formats::FormatError;
+use eigenbody_formats::{FormatError, PatchError};
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -29,6 +29,14 @@ pub enum Failure {
         model: String,
         /// What it cannot say.
         source: eigenbody_formats::WriteError,
+    },
+    /// The model's own file cannot be changed where it stands.
+    #[error("{model}: {source}{}", plain_copy(source))]
+    Patch {
+        /// The model as it was asked for.
+        model: String,
+        /// Why not.
+        source: PatchError,
     },
     /// An option does not fit the others.
     #[error("{0}")]
@@ -96,6 +104,16 @@ pub enum Failure {
     /// The serialiser failed.
     #[error("JSON: {0}")]
     Json(String),
+}
+
+/// What else can be done about a file whose elements are not one for each joint and link.
+fn plain_copy(error: &PatchError) -> &'static str {
+    match error {
+        PatchError::Included { .. } | PatchError::Several { .. } | PatchError::Differs { .. } => {
+            "; a plain copy by `eigenbody convert` can be changed"
+        }
+        _ => "",
+    }
 }
 
 fn kept(partial: &Option<(PathBuf, u64)>) -> String {

@@ -146,8 +146,51 @@ fn other_remedies() {
     }
 }
 
+/// A copy in the model's own format is its own text but for the change; in another folder that is said.
+#[test]
+fn a_copy_keeps_what_the_file_has() {
+    let scratch = Scratch::new();
+    let seen = "<link name=\"first\"><visual><geometry><sphere radius=\"0.1\"/></geometry></visual></link>";
+    let text = NECK.replace("<link name=\"first\"/>", seen);
+    let (path, beside) = (scratch.file("neck.urdf", &text), scratch.path("mended.urdf"));
+    let away = scratch.path("away");
+    std::fs::create_dir(&away).unwrap();
+    let mut call = [
+        "check",
+        &path,
+        "--samples",
+        "128",
+        "--want-kappa",
+        "1e4",
+        "--fail-on",
+        "never",
+        "--write-patch",
+        "",
+    ];
+    let notes = |call: &[&str]| {
+        let output = run(call);
+        assert_eq!(output.status.code(), Some(0));
+        String::from_utf8(output.stderr).unwrap().lines().filter(|line| line.starts_with("note: ")).count()
+    };
+    call[9] = beside.to_str().unwrap();
+    assert_eq!(notes(&call), 1);
+    let away = away.join("mended.urdf");
+    call[9] = away.to_str().unwrap();
+    assert_eq!(notes(&call), 2);
+    let copy = std::fs::read_to_string(&beside).unwrap();
+    assert_eq!(copy, std::fs::read_to_string(&away).unwrap());
+    let (rest, rotors) = copy.split_once("  <transmission").unwrap();
+    let rest = rest.replace(" xmlns:drake=\"http://drake.mit.edu\"", "");
+    assert!(
+        rest.contains(seen) && text.starts_with(&rest) && text[rest.len()..].trim() == "</robot>",
+        "{copy}"
+    );
+    assert!(rotors.contains("rotor_inertia"), "{copy}");
+}
+
 #[test]
 fn bad_input() {
+    insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "9", "--write-patch", "x.sdf"]), @"error: --write-patch x.sdf: expected a file named .urdf or .xml (MJCF)");
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0"]), @"error: --want-kappa 0: expected a positive number");
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-kappa", "0.5"]), @"error: puma560: nothing was found that does what is wanted");
     insta::assert_snapshot!(failure(&["check", "puma560", "--write-patch", "x.xml"]), @"error: --write-patch: say what is wanted, --want-kappa, --want-lambda-min or --want-step");

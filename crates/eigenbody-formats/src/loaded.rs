@@ -7,6 +7,7 @@ use crate::looks::Look;
 use crate::urdf::Rotor;
 use eigenbody::dynamics::Closure;
 use eigenbody::model::{Finding, JointInfo, Place};
+use eigenbody::spatial::Vec3;
 use eigenbody::stability::{Integrator, Spring};
 use eigenbody::{Family, Model};
 use std::fmt;
@@ -21,6 +22,8 @@ pub struct Loaded {
     pub name: String,
     /// What kind of text it came from.
     pub kind: Kind,
+    /// The format of the file that it came from, if it did.
+    pub format: Option<Format>,
     /// True if joints that follow others do so unless asked otherwise: URDF's mimic joints. False for MJCF, whose equalities
     /// are no part of MuJoCo's mass matrix.
     pub mimic: bool,
@@ -48,6 +51,17 @@ pub enum Kind {
     BuiltIn,
     /// A file.
     File(PathBuf),
+}
+
+/// A format of files that describe robots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// URDF, also what xacro expands to.
+    Urdf,
+    /// MuJoCo's MJCF.
+    Mjcf,
+    /// SDFormat.
+    Sdf,
 }
 
 /// A time step and an integrator.
@@ -237,6 +251,8 @@ impl fmt::Display for Note {
 pub(crate) struct Places {
     pub files: Vec<String>,
     pub links: Vec<(u32, Location)>,
+    /// Where MJCF's links have their origins in the frames of their bodies.
+    pub origins: Vec<Vec3<f64>>,
     pub joints: Vec<(u32, Location)>,
     /// Names of `joints`.
     pub joint_names: Vec<String>,
@@ -248,6 +264,7 @@ impl Loaded {
             model,
             name,
             kind,
+            format: None,
             mimic: true,
             rotors: Vec::new(),
             springs: Vec::new(),

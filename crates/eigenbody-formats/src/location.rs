@@ -32,6 +32,13 @@ impl Location {
         offsets.iter().map(step).collect()
     }
 
+    /// The byte offset of this place.
+    pub(crate) fn offset(self, text: &str) -> usize {
+        let line = text.split_inclusive('\n').take(self.line as usize - 1).map(str::len).sum::<usize>();
+        let column = text[line..].char_indices().nth(self.column as usize - 1);
+        column.map_or(text.len(), |(k, _)| line + k)
+    }
+
     /// The place after some more text.
     fn advanced(self, text: &[u8]) -> Self {
         // Bytes 10xxxxxx continue a character.

@@ -9,12 +9,17 @@ use std::path::Path;
 ///
 /// Errors: [`FormatError::Xacro`] if it does not expand; otherwise as [`read_urdf`](crate::read_urdf).
 pub fn read_xacro(path: &Path, options: &UrdfOptions) -> Result<Loaded, FormatError> {
-    // Says what is wrong with a file that cannot be read.
-    crate::file::read(path)?;
-    let text = xurdf::parse_xacro_from_file(path).map_err(|error| {
-        // The innermost cause says what is wrong.
-        FormatError::Xacro { file: path.display().to_string(), problem: error.root_cause().to_string() }
-    })?;
+    let text = expanded(path)?;
     let loaded = read_urdf_str(&text, &format!("{} (expanded)", path.display()), options)?;
     Ok(Loaded { kind: Kind::File(path.to_owned()), ..loaded })
+}
+
+/// The URDF that a xacro file expands to.
+pub(crate) fn expanded(path: &Path) -> Result<String, FormatError> {
+    // Says what is wrong with a file that cannot be read.
+    crate::file::read(path)?;
+    xurdf::parse_xacro_from_file(path).map_err(|error| {
+        // The innermost cause says what is wrong.
+        FormatError::Xacro { file: path.display().to_string(), problem: error.root_cause().to_string() }
+    })
 }

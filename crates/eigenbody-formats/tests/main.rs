@@ -9,11 +9,13 @@
 
 mod configuration;
 mod expression;
+mod folder;
 mod gains;
 mod hostile;
 mod metric;
 mod mjcf;
 mod mutation;
+mod patch;
 mod sdf;
 mod source;
 mod urdf;

@@ -1,13 +1,15 @@
 //! What to change, and a copy of the model with it.
 
+use super::convert::Written;
 use super::positive;
 use crate::args::{CheckArgs, RemedyArg};
 use crate::failure::Failure;
 use crate::output::{deliver, say};
+use crate::system::load_options;
 use eigenbody::search::Effort;
 use eigenbody::stability::Integrator;
 use eigenbody::{Model, Reduction};
-use eigenbody_formats::{Loaded, write_mjcf, write_urdf_with_rotors};
+use eigenbody_formats::{Format, Loaded, patched, write_mjcf, write_urdf_with_rotors};
 use eigenbody_study::StudyError;
 use eigenbody_study::diagnosis::{Change, Drive, Goal, Remedies, Wish, remedies};
 use std::path::Path;
@@ -30,7 +32,7 @@ pub fn advise(
     }
     if let Some(path) = &args.write_patch {
         let mended = mended(&loaded.model, &found, args)?;
-        write(&mended, path, name)?;
+        write(loaded, &mended, path, args)?;
     }
     Ok(Some((goal, found)))
 }
@@ -74,13 +76,33 @@ fn mended(model: &Model<f64>, found: &Remedies, args: &CheckArgs) -> Result<Mode
         .ok_or_else(|| Failure::Usage(format!("{name}: no {what} was found that does what is wanted")))
 }
 
-fn write(model: &Model<f64>, path: &Path, name: &str) -> Result<(), Failure> {
-    let is_urdf = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("urdf"));
-    let text = if is_urdf { write_urdf_with_rotors(model) } else { write_mjcf(model) };
-    let text = text.map_err(|source| Failure::Write { model: name.to_owned(), source })?;
+/// The model's own file with the changes in it, or, in another format, a bare copy of the model.
+fn write(loaded: &Loaded, mended: &Model<f64>, path: &Path, args: &CheckArgs) -> Result<(), Failure> {
+    let model = || args.model.model.clone();
+    let written = |source| Failure::Write { model: model(), source };
+    let format = Written::of("--write-patch", path)?;
+    let own = matches!(
+        (loaded.format, format),
+        (Some(Format::Urdf), Written::Urdf) | (Some(Format::Mjcf), Written::Mjcf)
+    );
+    let text = match format {
+        _ if own => patched(loaded, mended, &load_options(&args.model))
+            .map_err(|source| Failure::Patch { model: model(), source })?,
+        Written::Urdf => write_urdf_with_rotors(mended).map_err(written)?,
+        Written::Mjcf => write_mjcf(mended).map_err(written)?,
+    };
     deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
-    if is_urdf && model.armature().iter().any(|&a| a > 0.0) {
+    if format == Written::Urdf && mended.armature() != loaded.model.armature() {
         say("note: URDF has no armature: it is written as rotors of transmissions, which --rotors on adds");
     }
+    if own && elsewhere(Path::new(args.model.model.trim()), path) {
+        say("note: files that it names are looked for beside it, in another folder than before");
+    }
     Ok(())
+}
+
+/// Whether two files are in different folders.
+fn elsewhere(one: &Path, other: &Path) -> bool {
+    let folder = |file: &Path| std::fs::canonicalize(file).ok()?.parent().map(Path::to_owned);
+    folder(one) != folder(other)
 }

@@ -1,6 +1,7 @@
 //! `eigenbody check` and `eigenbody report`.
 
 use super::advise::advise;
+use super::convert::Written;
 use super::drive::drive;
 use super::positive;
 use crate::args::{CheckArgs, CheckCommand, CheckFormat, ReportArgs};
@@ -88,6 +89,7 @@ fn fails(fail_on: &FailOn, found: &Diagnosis, report: &DiagnosisReport) -> bool 
 }
 
 fn examine(args: &CheckArgs, output: Option<&Path>) -> Result<Examined, Failure> {
+    args.write_patch.as_deref().map(|file| Written::of("--write-patch", file)).transpose()?;
     let (loaded, reduction) = robot(&args.model)?;
     let settings = Settings::find(args.config.as_deref(), &loaded)?;
     // The file that is found beside the model is read as well.

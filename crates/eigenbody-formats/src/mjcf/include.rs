@@ -1,7 +1,6 @@
 //! `<include>`: the elements of another file in its place.
 
 use super::fault::{Fault, MjcfFault, fault};
-use crate::location::Location;
 use crate::xml::{self, Element, Files, SourceFile, Spot};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -33,9 +32,8 @@ impl<'a> Splicer<'a> {
 
     fn parse(&mut self, text: String, name: &str, folder: &Path) -> Result<Element, Fault> {
         let file = self.files.all.len() as u32;
-        let root = xml::parse(&text, file).map_err(|(at, problem)| {
-            fault(Spot { file, offset: offset_of(&text, at) }, MjcfFault::Xml(problem))
-        });
+        let root = xml::parse(&text, file)
+            .map_err(|(at, problem)| fault(Spot { file, offset: at.offset(&text) }, MjcfFault::Xml(problem)));
         self.files.all.push(SourceFile { name: name.to_owned(), folder: folder.to_owned(), text });
         root
     }
@@ -106,11 +104,4 @@ pub(super) fn text(bytes: Vec<u8>, file: u32, path: &Path, files: &mut Files) ->
         files.all.push(SourceFile { name: path.display().to_string(), folder, text });
         fault(Spot { file, offset }, MjcfFault::Xml(xml::XmlFault::NotUtf8 { byte }))
     })
-}
-
-/// The byte offset of a line and column.
-fn offset_of(text: &str, at: Location) -> usize {
-    let line = text.split_inclusive('\n').take(at.line as usize - 1).map(str::len).sum::<usize>();
-    let column = text[line..].char_indices().nth(at.column as usize - 1);
-    column.map_or(text.len(), |(k, _)| line + k)
 }

@@ -35,7 +35,7 @@ pub use mesh::{Mesh, MeshFault};
 
 use crate::error::FormatError;
 use crate::file::Shelf;
-use crate::loaded::{Kind, Loaded, Note, Places, Stepping};
+use crate::loaded::{Format, Kind, Loaded, Note, Places, Stepping};
 use crate::looks::Look;
 use crate::xml::{Files, Spot};
 use asset::Assets;
@@ -115,6 +115,7 @@ pub(crate) fn read_text(
         notes,
         reference,
         link_spots,
+        link_origins,
         joint_spots,
         joint_names,
         closures,
@@ -125,6 +126,7 @@ pub(crate) fn read_text(
     let places = Places {
         files: files.all.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
+        origins: link_origins,
         joints: files.locate_all(&joint_spots),
         joint_names,
     };
@@ -134,8 +136,8 @@ pub(crate) fn read_text(
     });
     let kind = Kind::File(path.to_owned());
     let loaded = Loaded::new(model, name, kind, places);
-    let (notes, stepping) = (notes.collect(), Some(stepping));
-    Ok(Loaded { notes, keyframes, closures, springs, looks, stepping, mimic: false, ..loaded })
+    let (format, notes, stepping) = (Some(Format::Mjcf), notes.collect(), Some(stepping));
+    Ok(Loaded { format, notes, keyframes, closures, springs, looks, stepping, mimic: false, ..loaded })
 }
 
 /// A fault with its place as text.
@@ -162,6 +164,7 @@ struct Built {
     notes: Vec<(Spot, Note)>,
     reference: Vec<f64>,
     link_spots: Vec<Spot>,
+    link_origins: Vec<Vec3<f64>>,
     joint_spots: Vec<Spot>,
     joint_names: Vec<String>,
     closures: Vec<Result<Closure, String>>,
@@ -241,6 +244,10 @@ fn finish(
         ..
     } = parts;
     let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
+    let mut link_origins = vec![Vec3::ZERO; link_names.len()];
+    for placed in frames.bodies.values() {
+        link_origins[placed.link.index()] = placed.origin;
+    }
     joints.into_iter().for_each(|joint| {
         builder.joint(joint);
     });
@@ -277,6 +284,7 @@ fn finish(
         notes,
         reference,
         link_spots,
+        link_origins,
         joint_spots,
         joint_names,
         closures,

@@ -22,7 +22,7 @@ pub use fault::SdfFault;
 
 use crate::error::FormatError;
 use crate::file::Shelf;
-use crate::loaded::{Kind as Source, Loaded, Note, Places};
+use crate::loaded::{Format, Kind as Source, Loaded, Note, Places};
 use crate::slips::slips;
 use crate::xml::{Files, Spot, XmlFault};
 use eigenbody::Base;
@@ -95,6 +95,7 @@ pub(crate) fn read_text(
     let places = Places {
         files: files.all.iter().map(|file| file.name.clone()).collect(),
         links: files.locate_all(&link_spots),
+        origins: Vec::new(),
         joints: files.locate_all(&joint_spots),
         joint_names,
     };
@@ -110,7 +111,8 @@ pub(crate) fn read_text(
     let notes = loops.into_iter().chain(slips).collect();
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
-    Ok(Loaded { looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
+    let format = Some(Format::Sdf);
+    Ok(Loaded { format, looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
 }
 
 /// A closure, unless its joint has an axis without a direction.

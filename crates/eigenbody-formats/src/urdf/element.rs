@@ -6,14 +6,14 @@ use crate::location::Location;
 use roxmltree::{Attribute, Node};
 
 /// A fault and the byte offset of what it is about.
-pub(super) struct Fault {
+pub(crate) struct Fault {
     pub offset: usize,
     pub fault: UrdfFault,
 }
 
 /// An element of the document.
 #[derive(Clone, Copy)]
-pub(super) struct Element<'a, 'i>(pub Node<'a, 'i>);
+pub(crate) struct Element<'a, 'i>(pub Node<'a, 'i>);
 
 impl<'a, 'i: 'a> Element<'a, 'i> {
     /// Its name, without a namespace.

@@ -16,7 +16,7 @@ const ENTRIES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
 ///
 /// Without `<mass>` it is zero too, and without `<inertia>`, or with some of its entries missing, a point mass: so Pinocchio
 /// reads it. Both are noted.
-pub(super) fn inertia(link: Element<'_, '_>) -> Result<(RigidInertia<f64>, Option<Note>), Fault> {
+pub(crate) fn inertia(link: Element<'_, '_>) -> Result<(RigidInertia<f64>, Option<Note>), Fault> {
     let Some(inertial) = link.child("inertial")? else { return Ok((RigidInertia::ZERO, None)) };
     let X = origin(inertial)?;
     let Some(mass) = inertial.child("mass")? else {

@@ -14,17 +14,19 @@ mod rotor;
 mod spring;
 mod words;
 
+pub(crate) use element::Element;
 pub use fault::UrdfFault;
+pub(crate) use link::inertia;
 pub use rotor::Rotor;
 
 use crate::error::FormatError;
-use crate::loaded::{Kind, Loaded, Note, Places};
+use crate::loaded::{Format, Kind, Loaded, Note, Places};
 use crate::location::Location;
 use crate::slips::slips;
 use crate::suggest::did_you_mean;
 use eigenbody::model::{LinkId, Place};
 use eigenbody::{Base, BuildError, Model, ModelBuilder};
-use element::{Element, Fault};
+use element::Fault;
 use roxmltree::{Document, ParsingOptions};
 use std::collections::HashMap;
 use std::path::Path;
@@ -86,6 +88,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
     let places = Places {
         files: vec![file_name.to_owned()],
         links: located(&offsets.links),
+        origins: Vec::new(),
         joints: located(&offsets.joints),
         joint_names: std::mem::take(&mut offsets.joint_names),
     };
@@ -105,7 +108,9 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
     let (rotors, looks) = (rotors.into_iter().map(|(rotor, _)| rotor).collect(), look::looks(robot));
     let kind = Kind::File(file_name.into());
-    Ok(Loaded { rotors, springs, looks, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
+    let format = Some(Format::Urdf);
+    let loaded = Loaded::new(model, file_name.to_owned(), kind, places);
+    Ok(Loaded { format, rotors, springs, looks, notes, ..loaded })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.

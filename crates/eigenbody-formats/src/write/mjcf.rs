@@ -42,16 +42,12 @@ fn write_body(out: &mut String, model: &Model<f64>, b: usize, depth: usize) -> R
     let pad = indent(depth);
     let _ = writeln!(out, "{pad}<body name=\"{}\" pos=\"{r}\" quat=\"{q}\">", escaped(body_name(model, b)));
     if *body.inertia() != RigidInertia::ZERO {
-        let central = Central::of(body.inertia());
-        let least = central.least_moment();
+        let least = Central::of(body.inertia()).least_moment();
         if least < 0.0 {
             let link = body_name(model, b).to_owned();
             return Err(WriteError::Inertia { link, least, format: "MJCF" });
         }
-        let Central { m, com, I } = central;
-        let full = numbers(&[I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]);
-        let com = vector(com);
-        let _ = writeln!(out, "{pad}  <inertial pos=\"{com}\" mass=\"{m:?}\" fullinertia=\"{full}\"/>");
+        let _ = writeln!(out, "{pad}  {}", inertial(body.inertia()));
     }
     let info = model.joints().iter().find(|j| j.dofs().start == body.dofs().start);
     let Some(info) = info else { return Ok(()) };
@@ -92,6 +88,13 @@ fn write_body(out: &mut String, model: &Model<f64>, b: usize, depth: usize) -> R
         _ => return unsupported(),
     }
     Ok(())
+}
+
+/// `<inertial>` of a body.
+pub(crate) fn inertial(inertia: &RigidInertia<f64>) -> String {
+    let Central { m, com, I } = Central::of(inertia);
+    let full = numbers(&[I.xx, I.yy, I.zz, I.xy, I.xz, I.yz]);
+    format!("<inertial pos=\"{}\" mass=\"{m:?}\" fullinertia=\"{full}\"/>", vector(com))
 }
 
 /// Mimic joints. Their joints have no reference coordinates, so offsets are as they are.

@@ -5,7 +5,9 @@
 mod mjcf;
 mod urdf;
 
+pub(crate) use mjcf::inertial as mjcf_inertial;
 pub use mjcf::write_mjcf;
+pub(crate) use urdf::{inertial as urdf_inertial, rotor as rotor_element};
 pub use urdf::{write_urdf, write_urdf_with_rotors};
 
 use eigenbody::spatial::{Mat3, RigidInertia, Sym3, Vec3};
@@ -70,7 +72,7 @@ fn vector(v: Vec3<f64>) -> String {
 }
 
 /// A text as an attribute's value.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
         match c {

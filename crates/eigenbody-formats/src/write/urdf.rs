@@ -31,19 +31,21 @@ pub fn write_urdf_with_rotors(model: &Model<f64>) -> Result<String, WriteError> 
         let armature: Vec<f64> = joint.dofs().map(|d| model.armature()[d]).collect();
         match armature.as_slice() {
             all if all.iter().all(|&a| a == 0.0) => {}
-            [a] => {
-                let name = escaped(joint.name());
-                let _ = writeln!(
-                    rotors,
-                    "  <transmission name=\"{name} transmission\">\n    <type>transmission_interface/SimpleTransmission</type>\n    \
-                     <joint name=\"{name}\"/>\n    <actuator name=\"{name} motor\"><drake:rotor_inertia value=\"{a:?}\"/>\
-                     <drake:gear_ratio value=\"1\"/></actuator>\n  </transmission>"
-                );
-            }
+            &[armature] => rotors.push_str(&rotor(joint.name(), armature)),
             _ => return Err(WriteError::Rotor { joint: joint.name().to_owned() }),
         }
     }
     write(model, &rotors)
+}
+
+/// A rotor that gives a joint armature, as lines below `<robot>`.
+pub(crate) fn rotor(joint: &str, armature: f64) -> String {
+    let name = escaped(joint);
+    format!(
+        "  <transmission name=\"{name} transmission\">\n    <type>transmission_interface/SimpleTransmission</type>\n    \
+         <joint name=\"{name}\"/>\n    <actuator name=\"{name} motor\"><drake:rotor_inertia value=\"{armature:?}\"/>\
+         <drake:gear_ratio value=\"1\"/></actuator>\n  </transmission>\n"
+    )
 }
 
 fn write(model: &Model<f64>, rotors: &str) -> Result<String, WriteError> {
@@ -86,7 +88,8 @@ fn between(model: &Model<f64>, body: usize) -> Option<String> {
     two.then(|| format!("{} 1", body_name(model, body)))
 }
 
-fn inertial(out: &mut String, inertia: &RigidInertia<f64>) {
+/// `<inertial>` as lines below `<link>`; none without inertia.
+pub(crate) fn inertial(out: &mut String, inertia: &RigidInertia<f64>) {
     if *inertia == RigidInertia::ZERO {
         return;
     }

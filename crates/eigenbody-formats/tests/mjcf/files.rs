@@ -1,36 +1,8 @@
 //! What takes several files: includes, meshes, attached models.
 
+use crate::folder::Folder;
 use eigenbody::mass_matrix;
-use eigenbody_formats::{Loaded, MjcfOptions, read_mjcf};
 use insta::assert_snapshot;
-use std::path::PathBuf;
-
-/// A folder of its own, removed when dropped.
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
-    }
-
-    fn file(&self, name: &str, contents: impl AsRef<[u8]>) -> PathBuf {
-        let path = self.0.path().join(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(&path, contents).unwrap();
-        path
-    }
-
-    fn load(&self, text: &str) -> Loaded {
-        read_mjcf(&self.file("main.xml", text), &MjcfOptions::default()).unwrap()
-    }
-
-    /// The error, paths cut to the folder.
-    fn fault(&self, text: &str) -> String {
-        let path = self.file("main.xml", text);
-        let folder = format!("{}/", self.0.path().display());
-        read_mjcf(&path, &MjcfOptions::default()).unwrap_err().to_string().replace(&folder, "")
-    }
-}
 
 const BALL: &str = "<body name='b'><joint name='j' axis='0 1 0'/><geom size='.1' pos='1 0 0'/></body>";
 
