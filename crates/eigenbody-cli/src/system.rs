@@ -34,15 +34,10 @@ pub fn open(model: &str, on: BaseArg) -> Result<Loaded, Failure> {
     Ok(load(model, &LoadOptions { base: base(on), size_ratio: None })?)
 }
 
-/// How arguments want the model that they name to be read.
-pub fn load_options(args: &ModelArgs) -> LoadOptions {
-    LoadOptions { base: base(args.base), size_ratio: args.size_ratio }
-}
-
 /// The robot that arguments name, and the degrees of freedom of its study.
 pub fn robot(args: &ModelArgs) -> Result<(Loaded, Reduction), Failure> {
-    let options = load_options(args);
-    let (base, loaded) = (options.base, load(&args.model, &options)?);
+    let base = base(args.base);
+    let loaded = load(&args.model, &LoadOptions { base, size_ratio: args.size_ratio })?;
     let loaded = if args.rotors == Switch::On { loaded.with_rotors()? } else { loaded };
     if args.reduced && base == Base::Fixed {
         return Err(Failure::Usage("--reduced removes a floating base: add --base floating".into()));

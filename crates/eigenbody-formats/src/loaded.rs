@@ -9,7 +9,7 @@ use eigenbody::dynamics::Closure;
 use eigenbody::model::{Finding, JointInfo, Place};
 use eigenbody::spatial::Vec3;
 use eigenbody::stability::{Integrator, Spring};
-use eigenbody::{Family, Model};
+use eigenbody::{Base, Family, Model};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -35,6 +35,8 @@ pub struct Loaded {
     pub looks: Vec<Look>,
     /// How the file's own engine steps.
     pub stepping: Option<Stepping>,
+    /// What its root was put on.
+    pub(crate) base: Base,
     pub(crate) keyframes: Vec<Keyframe>,
     /// Loops of the file; the element's name where an end of it is not known.
     pub(crate) closures: Vec<Result<Closure, String>>,
@@ -270,6 +272,7 @@ impl Loaded {
             springs: Vec::new(),
             looks: Vec::new(),
             stepping: None,
+            base: Base::Fixed,
             keyframes: Vec::new(),
             closures: Vec::new(),
             notes: Vec::new(),

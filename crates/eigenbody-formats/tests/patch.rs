@@ -42,7 +42,7 @@ fn change_on(
     let options = LoadOptions { base, ..LoadOptions::default() };
     let loaded: Loaded = load(path.to_str().unwrap(), &options).unwrap();
     let mended = change(loaded.model.clone()).unwrap();
-    patched(&loaded, &mended, &options).map_err(|error| folder.cut(&error.to_string()))
+    patched(&loaded, &mended).map_err(|error| folder.cut(&error.to_string()))
 }
 
 /// Lines that differ, `-` before and `+` after.
@@ -223,7 +223,7 @@ fn what_urdf_cannot_say() {
     let options = LoadOptions::default();
     let loaded = load(path.to_str().unwrap(), &options).unwrap().with_rotors().unwrap();
     let lighter = loaded.model.clone().with_armature(vec![1.0, 0.0]).unwrap();
-    assert_snapshot!(patched(&loaded, &lighter, &options).unwrap_err(), @"joint 'yaw': a rotor can only add armature");
+    assert_snapshot!(patched(&loaded, &lighter).unwrap_err(), @"joint 'yaw': a rotor can only add armature");
 }
 
 #[test]
@@ -231,5 +231,15 @@ fn what_is_no_file_of_these() {
     let options = LoadOptions::default();
     let loaded = load("puma560", &options).unwrap();
     let mended = loaded.model.clone().with_armature(vec![1.0; 6]).unwrap();
-    assert_snapshot!(patched(&loaded, &mended, &options).unwrap_err(), @"puma560 is no URDF or MJCF file that could be changed");
+    assert_snapshot!(patched(&loaded, &mended).unwrap_err(), @"puma560 is no URDF or MJCF file that could be changed");
+}
+
+#[test]
+fn a_file_that_has_changed_is_left_alone() {
+    let folder = Folder::new();
+    let path = folder.file("arm.xml", ARM);
+    let loaded = load(path.to_str().unwrap(), &LoadOptions::default()).unwrap();
+    folder.file("arm.xml", ARM.replace("mass=\"1\"", "mass=\"2\""));
+    let error = patched(&loaded, &loaded.model).unwrap_err().to_string();
+    assert_snapshot!(folder.cut(&error), @"arm.xml is no longer the file that was read");
 }

@@ -4,7 +4,7 @@ use crate::array::Out;
 use crate::compute::go_on;
 use crate::error::Failure;
 use crate::model::{Model, Shared};
-use eigenbody_formats::{Loaded, write_mjcf, write_urdf, write_urdf_with_rotors};
+use eigenbody_formats::{Loaded, patched, write_mjcf, write_urdf, write_urdf_with_rotors};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -168,6 +168,14 @@ impl Model {
     fn with_gravity(&self, gravity: [f64; 3]) -> Result<Self, Failure> {
         let gravity = eigenbody::spatial::Vec3::from_f64(gravity);
         Ok(Self::with(&self.shared, self.shared.robot.model.clone().with_gravity(gravity)?))
+    }
+
+    /// The text of the URDF or MJCF file that it was read from, with what was changed since and all else as it stands there. Armature
+    /// of URDF is added as rotors of transmissions, which `Model(.., rotors=True)` reads.
+    fn patched(&self) -> Result<String, Failure> {
+        let loaded = self.shared.loaded.as_ref();
+        let loaded = loaded.ok_or_else(|| Failure::input("model", "it was read from no file"))?;
+        patched(loaded, &self.shared.robot.model).map_err(|error| Failure::input("model", error))
     }
 
     /// As URDF, fixed joints merged; `rotors`: armature as rotors of transmissions, which `Model(.., rotors=True)` reads.

@@ -84,6 +84,9 @@ def test_a_mended_robot_is_mended(arm):
     rotors = arm.with_name("patched.urdf")
     rotors.write_text(mended.to_urdf(rotors=True))
     assert np.allclose(Model(rotors, rotors=True).armature, mended.armature, rtol=1e-12)
+    own = arm.with_name("own.xml")
+    own.write_text(mended.patched())
+    assert np.array_equal(Model(own).armature, mended.armature)
     assert "armature" in repr(found)
     with pytest.raises(InputError, match="'paint', expected armature, link or limit"):
         found.mended("paint")

@@ -54,7 +54,7 @@ pub struct CheckArgs {
     pub want_step: Option<f64>,
 
     /// Write a copy of the model with what is advised: .xml as MJCF; .urdf as URDF, armature as rotors of transmissions
-    /// (`--rotors on` reads them).
+    /// (`--rotors on` reads them). In the model's own format it is the model's own file, all else as it was.
     #[arg(long, value_name = "FILE")]
     pub write_patch: Option<PathBuf>,
 

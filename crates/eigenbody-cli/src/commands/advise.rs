@@ -5,7 +5,6 @@ use super::positive;
 use crate::args::{CheckArgs, RemedyArg};
 use crate::failure::Failure;
 use crate::output::{deliver, say};
-use crate::system::load_options;
 use eigenbody::search::Effort;
 use eigenbody::stability::Integrator;
 use eigenbody::{Model, Reduction};
@@ -86,8 +85,7 @@ fn write(loaded: &Loaded, mended: &Model<f64>, path: &Path, args: &CheckArgs) ->
         (Some(Format::Urdf), Written::Urdf) | (Some(Format::Mjcf), Written::Mjcf)
     );
     let text = match format {
-        _ if own => patched(loaded, mended, &load_options(&args.model))
-            .map_err(|source| Failure::Patch { model: model(), source })?,
+        _ if own => patched(loaded, mended).map_err(|source| Failure::Patch { model: model(), source })?,
         Written::Urdf => write_urdf_with_rotors(mended).map_err(written)?,
         Written::Mjcf => write_mjcf(mended).map_err(written)?,
     };

@@ -137,7 +137,8 @@ pub(crate) fn read_text(
     let kind = Kind::File(path.to_owned());
     let loaded = Loaded::new(model, name, kind, places);
     let (format, notes, stepping) = (Some(Format::Mjcf), notes.collect(), Some(stepping));
-    Ok(Loaded { format, notes, keyframes, closures, springs, looks, stepping, mimic: false, ..loaded })
+    let base = options.base;
+    Ok(Loaded { format, base, notes, keyframes, closures, springs, looks, stepping, mimic: false, ..loaded })
 }
 
 /// A fault with its place as text.

@@ -1,7 +1,7 @@
 //! In what two models of one file differ, and whether two others differ by the same.
 
 use eigenbody::Model;
-use eigenbody::model::JointInfo;
+use eigenbody::model::{Body, JointInfo};
 use eigenbody::spatial::RigidInertia;
 
 /// What rounds: degrees to radians and back, an inertia about the centre of mass and the origin, sums of two.
@@ -48,6 +48,16 @@ pub(super) fn changes<'m>(model: &'m Model<f64>, mended: &'m Model<f64>) -> Vec<
         }
     }
     found
+}
+
+/// Whether two models have the same joints and bodies, armature and limits apart.
+pub(super) fn same(one: &Model<f64>, other: &Model<f64>) -> bool {
+    let joints = |model: &Model<f64>| model.joints().iter().map(|j| j.name().to_owned()).collect::<Vec<_>>();
+    let body = |(a, b): (&Body<f64>, &Body<f64>)| {
+        (a.parent(), a.inertia(), a.tree_transform()) == (b.parent(), b.inertia(), b.tree_transform())
+    };
+    let (bodies, others) = (one.bodies(), other.bodies());
+    joints(one) == joints(other) && bodies.len() == others.len() && bodies.iter().zip(others).all(body)
 }
 
 /// Whether `before` became `after` as `model` became `mended`.

@@ -17,10 +17,9 @@ use crate::error::FormatError;
 use crate::file::Shelf;
 use crate::loaded::{Format, Kind, Loaded};
 use crate::location::Location;
-use crate::source::LoadOptions;
 use crate::urdf::UrdfOptions;
 use crate::{MjcfOptions, mjcf as mjcf_reader, read_urdf_str};
-use changes::{Change, alike, changes};
+use changes::{Change, alike, changes, same};
 use eigenbody::Model;
 use eigenbody::spatial::RigidInertia;
 use roxmltree::{Document, Node, ParsingOptions};
@@ -35,6 +34,8 @@ use thiserror::Error;
 pub enum PatchError {
     #[error("{name} is no URDF or MJCF file that could be changed")]
     NoFile { name: String },
+    #[error("{name} is no longer the file that was read")]
+    Changed { name: String },
     #[error(transparent)]
     Read(#[from] FormatError),
     #[error("{what} stands in '{file}', which is included: that file would have to change")]
@@ -51,7 +52,6 @@ pub enum PatchError {
 ///
 /// URDF has no armature: it is added as rotors of `<transmission>`, which [`Loaded::with_rotors`] reads. Matter is added to the
 /// `<inertial>` of a link of URDF, and to MJCF as a body that is welded to the link's, whose inertia may be that of its geoms.
-/// `options` are those that the model was loaded with.
 ///
 /// Errors: [`PatchError`] if an element cannot be changed alone, or the text would not read as the file's model with these changes.
 ///
@@ -61,19 +61,18 @@ pub enum PatchError {
 /// # let path = path.to_str().ok_or("path")?;
 /// let file = r#"<mujoco><worldbody><body><joint name="hinge"/><geom size="0.1"/></body></worldbody></mujoco>"#;
 /// std::fs::write(path, file)?;
-/// let options = LoadOptions::default();
-/// let loaded = load(path, &options)?;
+/// let loaded = load(path, &LoadOptions::default())?;
 /// let mended = loaded.model.clone().with_armature(vec![0.25])?;
-/// let text = patched(&loaded, &mended, &options)?;
+/// let text = patched(&loaded, &mended)?;
 /// assert_eq!(text, file.replace("\"hinge\"", "\"hinge\" armature=\"0.25\""));
 /// # std::fs::remove_file(path)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn patched(loaded: &Loaded, mended: &Model<f64>, options: &LoadOptions) -> Result<String, PatchError> {
+pub fn patched(loaded: &Loaded, mended: &Model<f64>) -> Result<String, PatchError> {
     let no_file = || PatchError::NoFile { name: loaded.name.clone() };
     let (Kind::File(path), Some(format)) = (&loaded.kind, loaded.format) else { return Err(no_file()) };
     let read = |text: &str| -> Result<Loaded, PatchError> {
-        let base = options.base;
+        let base = loaded.base;
         Ok(match format {
             Format::Urdf => read_urdf_str(text, &loaded.name, &UrdfOptions { base })?.with_rotors()?,
             Format::Mjcf => {
@@ -84,6 +83,9 @@ pub fn patched(loaded: &Loaded, mended: &Model<f64>, options: &LoadOptions) -> R
     };
     let own = text_of(path)?;
     let before = read(&own)?;
+    if !same(&before.model, &loaded.model) {
+        return Err(PatchError::Changed { name: loaded.name.clone() });
+    }
     let whole = crate::xml::lenient(&own);
     let parsing = ParsingOptions { allow_dtd: false, ..Default::default() };
     let document = Document::parse_with_options(&whole, parsing).map_err(|_| no_file())?;

@@ -111,8 +111,8 @@ pub(crate) fn read_text(
     let notes = loops.into_iter().chain(slips).collect();
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
-    let format = Some(Format::Sdf);
-    Ok(Loaded { format, looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
+    let (format, base) = (Some(Format::Sdf), options.base);
+    Ok(Loaded { format, base, looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
 }
 
 /// A closure, unless its joint has an axis without a direction.

@@ -200,6 +200,10 @@ class Model:
     def to_urdf(self, *, rotors: bool = False) -> str:
         """As URDF, fixed joints merged; `rotors`: armature as rotors of transmissions, which `Model(.., rotors=True)` reads."""
 
+    def patched(self) -> str:
+        """The text of the URDF or MJCF file that it was read from, with what was changed since and all else as it stands there. Armature
+        of URDF is added as rotors of transmissions, which `Model(.., rotors=True)` reads."""
+
     def to_mjcf(self) -> str:
         """As MJCF, fixed joints merged."""
 

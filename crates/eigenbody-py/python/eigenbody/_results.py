@@ -291,7 +291,7 @@ class Diagnosis:
         return self._examined().to_text()
 
     def mended(self, change: Literal["armature", "link", "limit"] = "armature", /) -> Model:
-        """The robot with what was advised for a `want_` option: `mended().to_mjcf()` is a patched file."""
+        """The robot with what was advised for a `want_` option: `mended().patched()` is the model's own file with it."""
         return self._examined().mended(change)
 
     def _examined(self) -> Examination:
