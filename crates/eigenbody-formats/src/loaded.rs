@@ -32,6 +32,10 @@ pub struct Loaded {
     pub looks: Vec<Look>,
     /// How the file's own engine steps.
     pub stepping: Option<Stepping>,
+    /// Files of meshes and height fields, where they were looked for.
+    pub(crate) assets: Vec<PathBuf>,
+    /// Meshes as a URDF file names them.
+    pub(crate) meshes: Vec<String>,
     pub(crate) keyframes: Vec<Keyframe>,
     /// Loops of the file; the element's name where an end of it is not known.
     pub(crate) closures: Vec<Result<Closure, String>>,
@@ -253,6 +257,8 @@ impl Loaded {
             springs: Vec::new(),
             looks: Vec::new(),
             stepping: None,
+            assets: Vec::new(),
+            meshes: Vec::new(),
             keyframes: Vec::new(),
             closures: Vec::new(),
             notes: Vec::new(),
@@ -302,7 +308,7 @@ impl Loaded {
             closure.clone().map_err(|element| FormatError::Unsuitable {
                 text: self.name.clone(),
                 problem: format!(
-                    "{element} cannot be closed: an end of it names no body or site of the model"
+                    "{element} cannot be closed: an end of it names not one body or site of the model"
                 ),
             })
         };

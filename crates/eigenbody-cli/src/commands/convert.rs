@@ -2,13 +2,14 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::output::{deliver, say};
+use crate::output::{check_model, deliver, say};
 use crate::system::open;
 use eigenbody_formats::{write_mjcf, write_urdf};
 
 /// Writes the model in another format.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let loaded = open(&args.model, args.base)?;
+    check_model(&loaded, &[Some(&args.output)])?;
     let extension = args.output.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase();
     let text = match extension.as_str() {
         "urdf" => write_urdf(&loaded.model),

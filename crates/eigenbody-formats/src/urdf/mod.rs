@@ -105,7 +105,15 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
     let (rotors, looks) = (rotors.into_iter().map(|(rotor, _)| rotor).collect(), look::looks(robot));
     let kind = Kind::File(file_name.into());
-    Ok(Loaded { rotors, springs, looks, notes, ..Loaded::new(model, file_name.to_owned(), kind, places) })
+    let meshes = look::meshes(robot);
+    Ok(Loaded {
+        rotors,
+        springs,
+        looks,
+        meshes,
+        notes,
+        ..Loaded::new(model, file_name.to_owned(), kind, places)
+    })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.
