@@ -1,10 +1,11 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
 use crate::failure::Failure;
+use eigenbody_formats::Loaded;
 use eigenbody_report::file::{Place, is_temporary, write_whole};
 use std::fmt::Display;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Runs `write` on the file `path`, or on standard output if there is none.
 pub fn deliver(
@@ -66,6 +67,14 @@ pub fn check_files(reads: &[&Path], writes: &[&Path]) -> Result<(), Failure> {
         written.push(file);
     }
     Ok(())
+}
+
+/// The same for the files that a model comes from, which are known when it is read.
+pub fn check_model(loaded: &Loaded, writes: &[Option<&Path>]) -> Result<(), Failure> {
+    let files = loaded.files();
+    let reads: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
+    let writes: Vec<&Path> = writes.iter().flatten().copied().collect();
+    check_files(&reads, &writes)
 }
 
 /// Makes the folder `path`, or checks that it takes files and holds nothing but what `is_own` knows by name; with `force` it may hold more.

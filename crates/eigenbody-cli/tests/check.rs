@@ -201,5 +201,5 @@ fn bad_input() {
     insta::assert_snapshot!(failure(&["check", "puma560", "--want-step", "0.01", "--kp", "1", "--integrator", "rk4"]), @"error: --want-step is for methods of Euler's kind; choose one with --integrator");
     insta::assert_snapshot!(failure(&["check", "puma560", "--max-kappa", "-1"]), @"error: --max-kappa -1: expected a positive number");
     insta::assert_snapshot!(failure(&["check", "no/such/robot.urdf"]), @"error: no/such/robot.urdf: no such file");
-    insta::assert_snapshot!(failure(&["check", "puma560", "--metric", "diagonal=[1]"]), @"error: puma560: B has 1 numbers, expected 6");
+    insta::assert_snapshot!(failure(&["check", "puma560", "--metric", "diagonal=[1]"]), @"error: puma560: B has 1 number, expected 6");
 }

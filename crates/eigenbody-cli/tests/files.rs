@@ -44,6 +44,52 @@ fn no_output_takes_the_place_of_an_input() {
     }
 }
 
+/// What a model includes and the meshes that it names are inputs as its own file is.
+#[test]
+fn no_output_takes_the_place_of_a_part_of_the_model() {
+    let scratch = Scratch::new();
+    let body = "<body><joint/><geom size='.1' pos='1 0 0'/></body>";
+    let part = scratch.file("part.xml", &format!("<mujocoinclude>{body}</mujocoinclude>"));
+    let hull = scratch.file("hull.stl", "solid");
+    let hills = scratch.file("hills.png", "png");
+    let mjcf = scratch.file(
+        "main.xml",
+        "<mujoco><asset><mesh file='hull.stl'/><hfield name='h' file='hills.png' size='1 1 1 1'/></asset>
+         <worldbody><include file='part.xml'/></worldbody></mujoco>",
+    );
+    let seen = scratch.file("seen.obj", "v");
+    let felt = scratch.file("felt.obj", "v");
+    let shape =
+        |tag: &str, file: &str| format!("<{tag}><geometry><mesh filename='{file}'/></geometry></{tag}>");
+    let shapes = shape("visual", "seen.obj") + &shape("collision", "felt.obj");
+    let urdf =
+        scratch.file("arm.urdf", &ARM.replace("</inertial></link>", &format!("</inertial>{shapes}</link>")));
+    let link = "<link name='l'/><joint name='j' type='continuous'><parent>world</parent><child>l</child><axis><xyz>0 0 1</xyz></axis></joint>";
+    let arm = scratch.file("arm.sdf", &format!("<sdf version='1.9'><model name='arm'>{link}</model></sdf>"));
+    let world = scratch.file(
+        "world.sdf",
+        "<sdf version='1.9'><world name='w'><include><uri>arm.sdf</uri></include></world></sdf>",
+    );
+    let log = scratch.file("log.csv", "t,q0\n0,0\n1,0.1\n");
+    let calls: &[&[&str]] = &[
+        &["spectrum", &mjcf, "-o", &part],
+        &["matrix", &mjcf, "-o", &hull],
+        &["check", &mjcf, "-o", &hills],
+        &["check", &mjcf, "--want-kappa", "9", "--write-patch", &part],
+        &["report", &urdf, "-o", &seen],
+        &["convert", &world, "-o", &arm],
+        &["track", &mjcf, &log, "-o", &part],
+        &["simulate", &urdf, "--time", "0.1", "-o", &felt],
+        &["simulate", &world, "--time", "0.1", "--plot", &arm],
+    ];
+    for call in calls {
+        assert!(failure(call).ends_with(": is what this command reads: choose another output"), "{call:?}");
+    }
+    for (path, text) in [(&hull, "solid"), (&hills, "png"), (&seen, "v"), (&felt, "v")] {
+        assert_eq!(std::fs::read_to_string(path).unwrap(), text);
+    }
+}
+
 #[test]
 fn two_outputs_are_two_files() {
     let scratch = Scratch::new();

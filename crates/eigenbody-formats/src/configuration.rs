@@ -127,7 +127,7 @@ impl<'a> Configuration<'a> {
         match rest.split_once('=').map(|(name, _)| name.trim()) {
             None if start == 0 => EXPECTED.to_owned(),
             None => "expected joint=value".to_owned(),
-            Some("q") => format!("q takes a list of {} numbers: q=[..]", self.p.len()),
+            Some("q") => format!("q takes a list of {}: q=[..]", numbers_of(self.p.len())),
             Some(name) => {
                 format!("no moving joint is named '{}'{}", shortened(name), did_you_mean(name, names))
             }

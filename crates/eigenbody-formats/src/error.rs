@@ -156,5 +156,10 @@ pub(crate) fn shortened(text: &str) -> String {
 
 /// `1 number`, `2 numbers`.
 pub(crate) fn numbers_of(n: usize) -> String {
-    format!("{n} {}", if n == 1 { "number" } else { "numbers" })
+    counted(n, "number", "numbers")
+}
+
+/// So many of something.
+pub(crate) fn counted(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }

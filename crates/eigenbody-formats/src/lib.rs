@@ -27,6 +27,7 @@ pub mod expression;
 mod family;
 mod file;
 mod gains;
+mod inputs;
 mod loaded;
 mod location;
 mod looks;

@@ -37,6 +37,10 @@ pub struct Loaded {
     pub stepping: Option<Stepping>,
     /// What its root was put on.
     pub(crate) base: Base,
+    /// Files of meshes and height fields, where they were looked for.
+    pub(crate) assets: Vec<PathBuf>,
+    /// Meshes as a URDF file names them.
+    pub(crate) meshes: Vec<String>,
     pub(crate) keyframes: Vec<Keyframe>,
     /// Loops of the file; the element's name where an end of it is not known.
     pub(crate) closures: Vec<Result<Closure, String>>,
@@ -273,6 +277,8 @@ impl Loaded {
             looks: Vec::new(),
             stepping: None,
             base: Base::Fixed,
+            assets: Vec::new(),
+            meshes: Vec::new(),
             keyframes: Vec::new(),
             closures: Vec::new(),
             notes: Vec::new(),
@@ -322,7 +328,7 @@ impl Loaded {
             closure.clone().map_err(|element| FormatError::Unsuitable {
                 text: self.name.clone(),
                 problem: format!(
-                    "{element} cannot be closed: an end of it names no body or site of the model"
+                    "{element} cannot be closed: an end of it names not one body or site of the model"
                 ),
             })
         };

@@ -48,6 +48,12 @@ pub fn read_look(robot: &Path, file: &str) -> Result<Mesh, MeshFault> {
     Ok(mesh)
 }
 
+/// Where the file of a mesh may stand: beside the robot's, by its name, and where [`read_look`] finds it.
+pub(crate) fn places(robot: &Path, file: &str) -> impl Iterator<Item = PathBuf> {
+    let beside = robot.parent().map(|folder| folder.join(file.strip_prefix("file://").unwrap_or(file)));
+    beside.into_iter().chain(find(robot, file))
+}
+
 fn find(robot: &Path, file: &str) -> Option<PathBuf> {
     let robot = std::fs::canonicalize(robot).ok()?;
     let folder = robot.parent()?;

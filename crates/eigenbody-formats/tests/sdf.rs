@@ -208,7 +208,7 @@ fn every_fault_has_its_place() {
     assert_snapshot!(fault("<link name='a'/>\n<link name='a'/>"), @"m.sdf:3:1: a second link, joint, frame or model is named 'a'; the first is at 2:1");
     assert_snapshot!(fault("<link name='a'><pose>1 2 3</pose></link>"), @"m.sdf:2:16: <pose> holds '1 2 3', expected x y z roll pitch yaw");
     assert_snapshot!(fault("<link name='a'><pose rotation_format='quat_xyzw'>0 0 0 0 0 0 0</pose></link>"), @"m.sdf:2:16: <pose> holds '0 0 0 0 0 0 0', expected x y z and a quaternion x y z w");
-    assert_snapshot!(fault("<link name='a'><pose relative_to='base'/></link>"), @"m.sdf:2:1: no link, joint, frame or model is named 'base' here");
+    assert_snapshot!(fault("<link name='a'><pose relative_to='base'/></link>"), @"m.sdf:2:22: no link, joint, frame or model is named 'base' here");
     assert_snapshot!(fault("<link name='a'><pose relative_to='b'/></link><link name='b'><pose relative_to='a'/></link>"), @"m.sdf:2:1: the pose of 'a' is relative to itself, directly or through others");
     assert_snapshot!(fault("<link name='a'><inertial><mass>heavy</mass></inertial></link>"), @"m.sdf:2:26: <mass> holds 'heavy', expected a finite number");
     assert_snapshot!(fault("<link name='a'><inertial><mass>-1</mass></inertial></link>"), @"m.sdf:2:1: link 'a' has mass -1, expected zero or more (kg)");
@@ -224,6 +224,59 @@ fn every_fault_has_its_place() {
     assert_snapshot!(joint("revolute", &format!("{ENDS}<axis><xyz>0 0 0</xyz></axis>")), @"m.sdf:3:1: joint 'j' has axis 0 0 0, expected a direction");
     let auto = "<link name='a'><inertial auto='true'/><collision name='c'><geometry><mesh/></geometry></collision></link>";
     assert_snapshot!(fault(auto), @"m.sdf:2:69: <mesh> cannot be read: inertia comes from boxes, spheres, cylinders, capsules and ellipsoids");
+}
+
+/// What a model names is there, whether or not anything stands on it.
+#[test]
+fn names_that_mean_nothing() {
+    let of = |text: &str| read_sdf_str(text, "m.sdf", &SdfOptions::default()).unwrap_err().to_string();
+    assert_snapshot!(of("<sdf version='1.9'><model name='m' canonical_link='bse'><link name='base'/></model></sdf>"), @"m.sdf:1:36: no link is named 'bse' here; did you mean 'base'?");
+    assert_snapshot!(of("<sdf version='1.9'><model name='m' canonical_link='f'><link name='base'/><frame name='f'/></model></sdf>"), @"m.sdf:1:36: no link is named 'f' here");
+    assert_snapshot!(of("<sdf version='1.9'><model name='m' placement_frame='grip'><link name='base'/></model></sdf>"), @"m.sdf:1:36: no link, joint, frame or model is named 'grip' here");
+    assert_snapshot!(of("<sdf version='1.9'><model name='m' placement_frame='world'><link name='base'/></model></sdf>"), @"m.sdf:1:36: no link, joint, frame or model is named 'world' here");
+    assert_snapshot!(of("<sdf version='1.9'><model name='m'><pose relative_to='base'/><link name='base'/></model></sdf>"), @"m.sdf:1:42: no link, joint, frame or model is named 'base' here");
+    assert_snapshot!(fault("<model name='arm' canonical_link='b'><link name='a'/></model>"), @"m.sdf:2:19: no link is named 'b' here");
+    assert_snapshot!(fault("<model name='arm' placement_frame='b'><link name='a'/></model>"), @"m.sdf:2:19: no link, joint, frame or model is named 'b' here");
+    assert_snapshot!(fault("<link name='a'/><frame name='f' attached_to='b'/>"), @"m.sdf:2:33: no link, joint, frame or model is named 'b' here");
+    assert_snapshot!(fault("<link name='a'/><frame name='f'><pose relative_to='b'/></frame>"), @"m.sdf:2:39: no link, joint, frame or model is named 'b' here");
+    let inner = "<link name='a'/><model name='arm' canonical_link='l' placement_frame='f'><link name='l'/><frame name='f' attached_to='l'/></model>";
+    assert_eq!(loaded(inner).model.links().len(), 3);
+    let empty = "<sdf version='1.9'><model name='m' canonical_link='' placement_frame=''><pose relative_to=''/><link name='a'/></model></sdf>";
+    assert!(read_sdf_str(empty, "m.sdf", &SdfOptions::default()).is_ok());
+}
+
+#[test]
+fn models_of_one_name() {
+    let of = |text: &str| read_sdf_str(text, "m.sdf", &SdfOptions::default()).unwrap_err().to_string();
+    let model = |name: &str, link: &str| format!("<model name='{name}'><link name='{link}'/></model>");
+    let two = format!("{}\n{}", model("m", "a"), model("m", "b"));
+    assert_snapshot!(of(&format!("<sdf version='1.9'>\n{two}</sdf>")), @"m.sdf:3:1: a second link, joint, frame or model is named 'm'; the first is at 2:1");
+    assert_snapshot!(of(&format!("<sdf version='1.9'><world name='w'>\n{two}</world></sdf>")), @"m.sdf:3:1: a second link, joint, frame or model is named 'm'; the first is at 2:1");
+    assert_snapshot!(fault(&two), @"m.sdf:3:1: a second link, joint, frame or model is named 'm'; the first is at 2:1");
+}
+
+#[test]
+fn versions() {
+    let of = |version: &str| {
+        let text = format!("<sdf version='{version}'><model name='m'><link name='a'/></model></sdf>");
+        read_sdf_str(&text, "m.sdf", &SdfOptions::default()).map(drop).map_err(|error| error.to_string())
+    };
+    for version in ["1.0", "1.4", "1.9", "1.12"] {
+        assert_eq!(of(version), Ok(()), "{version}");
+    }
+    assert_snapshot!(of("x").unwrap_err(), @"m.sdf:1:6: <sdf> has version 'x', expected 1.x");
+    assert_snapshot!(of("2.0").unwrap_err(), @"m.sdf:1:6: <sdf> has version '2.0', expected 1.x");
+    assert_snapshot!(of("1.").unwrap_err(), @"m.sdf:1:6: <sdf> has version '1.', expected 1.x");
+    assert_snapshot!(of("").unwrap_err(), @"m.sdf:1:6: <sdf> has version '', expected 1.x");
+}
+
+/// Mass stands in its link's frame: another one that is named would be passed over.
+#[test]
+fn a_pose_of_mass_relative_to_another_frame() {
+    let pose = "<pose relative_to='b'>1 0 0 0 0 0</pose>";
+    assert_snapshot!(fault(&format!("<link name='b'/><link name='a'><inertial>{pose}</inertial></link>")), @"m.sdf:2:48: <pose> cannot be read: mass is read in the frame of its link alone");
+    let shape = "<geometry><sphere><radius>1</radius></sphere></geometry>";
+    assert_snapshot!(fault(&format!("<link name='b'/><link name='a'><inertial auto='true'/><collision name='c'>{pose}{shape}</collision></link>")), @"m.sdf:2:81: <pose> cannot be read: mass is read in the frame of its link alone");
 }
 
 /// A link's own frame may stand away from its joint's, by which it is carried.

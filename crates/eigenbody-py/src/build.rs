@@ -165,7 +165,8 @@ impl Parts {
             }
         }
         if !damping.is_empty() && damping.len() != kind.nv() {
-            let problem = format!("has {} numbers, expected {}", damping.len(), kind.nv());
+            let found = eigenbody_report::count(damping.len(), "number", "numbers");
+            let problem = format!("has {found}, expected {}", kind.nv());
             return Err(Failure::input("damping", problem));
         }
         let mut lists = self.lists();

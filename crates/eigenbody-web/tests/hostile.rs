@@ -198,7 +198,7 @@ fn what_does_not_fit_the_robot_is_one_clear_line() {
         ("move", json!({ "id": id, "q": q0 }), "a move has v, or to and t"),
         ("move", json!({ "id": id, "q": q0, "v": v, "to": q0, "t": 1 }), "a move has v, or to and t"),
         ("swing", json!({ "id": id, "q": q0, "mode": "softest", "frames": 100_000 }), "at most"),
-        ("swing", json!({ "id": id, "q": q0, "mode": { "rates": [1] } }), "x has 1 numbers"),
+        ("swing", json!({ "id": id, "q": q0, "mode": { "rates": [1] } }), "x has 1 number,"),
         ("path", json!({ "id": id, "from": q0, "to": [] }), "q has 0 numbers"),
         ("path", json!({ "id": id, "from": q0, "to": q0, "points": 1_000_000_000 }), "expected 2 to 400"),
         ("path", json!({ "id": id, "from": q0, "to": q0, "points": 0 }), "expected 2 to 400"),

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum InputError {
     /// A slice of the wrong length.
-    #[error("{what} has {found} numbers, expected {expected}")]
+    #[error("{what} has {found} {}, expected {expected}", if *found == 1 { "number" } else { "numbers" })]
     Length {
         /// Name of the argument, in the words of NOTATION.md.
         what: &'static str,

@@ -95,6 +95,7 @@ fn examine(args: &CheckArgs, output: Option<&Path>) -> Result<Examined, Failure>
     // The file that is found beside the model is read as well.
     let writes: Vec<&Path> = output.into_iter().chain(args.write_patch.as_deref()).collect();
     output::check_files(settings.path.as_deref().as_slice(), &writes)?;
+    output::check_model(&loaded, &[output, args.write_patch.as_deref()])?;
     let baseline = args.baseline.as_deref().map(baseline).transpose()?;
     let metric = args.metric.as_ref().or(settings.metric.as_ref());
     let metric = metric.map_or(Ok(Metric::Euclidean), |text| eigenbody_formats::metric(text))?;

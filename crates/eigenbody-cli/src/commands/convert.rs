@@ -2,7 +2,7 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::output::{deliver, say};
+use crate::output::{check_model, deliver, say};
 use crate::system::open;
 use eigenbody_formats::{write_mjcf, write_urdf};
 use std::path::Path;
@@ -32,6 +32,7 @@ impl Written {
 /// Writes the model in another format.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let loaded = open(&args.model, args.base)?;
+    check_model(&loaded, &[Some(&args.output)])?;
     let text = match Written::of("-o", &args.output)? {
         Written::Urdf => write_urdf(&loaded.model),
         Written::Mjcf => write_mjcf(&loaded.model),

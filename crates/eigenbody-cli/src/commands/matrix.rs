@@ -2,7 +2,7 @@
 
 use crate::args::MatrixArgs;
 use crate::failure::Failure;
-use crate::output::{deliver, page};
+use crate::output::{check_model, deliver, page};
 use crate::system::System;
 use eigenbody::conditioning::allowed_motions;
 use eigenbody::{Matrix, Metric};
@@ -11,6 +11,7 @@ use eigenbody_report::{AmongReport, MatrixReport};
 /// Prints H.
 pub fn run(args: &MatrixArgs) -> Result<(), Failure> {
     let system = System::open(&args.robot)?;
+    check_model(&system.loaded, &[args.output.as_deref()])?;
     let rows = |M: &Matrix<f64>| (0..M.rows()).map(|i| M.row(i).to_vec()).collect();
     let (subject, joints) = (system.subject(), system.dof_names());
     let report = match &system.loops {

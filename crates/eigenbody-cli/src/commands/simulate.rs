@@ -4,7 +4,7 @@ use super::motion::{Ending, Recorder, quantities};
 use super::{option_gains, positive};
 use crate::args::{DynamicsArg, MethodOfMotion, SimulateArgs, Switch};
 use crate::failure::Failure;
-use crate::output::say;
+use crate::output::{check_model, say};
 use crate::system::robot;
 use eigenbody::dynamics::energy;
 use eigenbody::spatial::Vec3;
@@ -30,6 +30,7 @@ const PRINTED: usize = 20;
 pub fn run(args: &SimulateArgs) -> Result<Ending, Failure> {
     let Some(quantities) = quantities(&args.rows)? else { return Ok(Ending::Whole) };
     let (loaded, reduction) = robot(&args.model)?;
+    check_model(&loaded, &args.rows.writes())?;
     let name = &args.model.model;
     let q = loaded.configuration(&args.initial, reduction.mimic)?;
     let v = velocity(&args.velocity, &loaded.model)?;

@@ -2,7 +2,7 @@
 
 use crate::args::{MethodArg, SpectrumArgs};
 use crate::failure::Failure;
-use crate::output::{deliver, page};
+use crate::output::{check_model, deliver, page};
 use crate::system::System;
 use eigenbody::conditioning::conditioning_closed;
 use eigenbody::{Metric, Question, conditioning_at, count_below};
@@ -15,6 +15,7 @@ pub fn run(args: &SpectrumArgs) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("--count-below {sigma}: expected a finite number")));
     }
     let system = System::open(&args.robot)?;
+    check_model(&system.loaded, &[args.output.as_deref()])?;
     let report = report(&system, metric, args)?;
     let path = args.output.as_deref();
     if args.json {

@@ -3,7 +3,7 @@
 use super::motion::{Ending, Recorder, quantities};
 use crate::args::TrackArgs;
 use crate::failure::Failure;
-use crate::output::say;
+use crate::output::{check_model, say};
 use crate::system::robot;
 use eigenbody_formats::motion::Skipped;
 use eigenbody_formats::{Motion, MotionOptions};
@@ -15,6 +15,7 @@ use std::time::Instant;
 pub fn run(args: &TrackArgs) -> Result<Ending, Failure> {
     let Some(quantities) = quantities(&args.rows)? else { return Ok(Ending::Whole) };
     let (loaded, reduction) = robot(&args.model)?;
+    check_model(&loaded, &args.rows.writes())?;
     let others =
         args.others.as_deref().map(|text| loaded.configuration(text, reduction.mimic)).transpose()?;
     let options =

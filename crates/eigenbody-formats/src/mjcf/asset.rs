@@ -50,7 +50,11 @@ impl<'a> Assets<'a> {
                     found.meshes.insert(name, asset);
                 }
                 "hfield" => {
-                    found.hfields.insert(name_of(element), element);
+                    let name = name_of(element);
+                    if let Some(first) = found.hfields.get(&name) {
+                        return Err(second("hfield", name, element, first, files));
+                    }
+                    found.hfields.insert(name, element);
                 }
                 "model" => {
                     let name = name_of(element);
@@ -101,12 +105,12 @@ impl<'a> Assets<'a> {
 
 fn unknown<'n>(kind: &'static str, name: &str, by: &Element, names: impl Iterator<Item = &'n str>) -> Fault {
     let suggestion = did_you_mean(name, names);
-    fault(by.spot_of(kind), MjcfFault::UnknownAsset { kind, name: name.to_owned(), suggestion })
+    fault(by.spot_of(kind), MjcfFault::Unknown { kind: kind.to_owned(), name: name.to_owned(), suggestion })
 }
 
 fn second(kind: &'static str, name: String, at: &Element, first: &Element, files: &Files) -> Fault {
     let first = files.locate(first.at).1;
-    fault(at.at, MjcfFault::SecondAsset { kind, name, first })
+    fault(at.at, MjcfFault::Second { kind: kind.to_owned(), name, first })
 }
 
 /// An asset's name: its own, or that of its file without folder and extension.
@@ -195,6 +199,14 @@ impl MeshAsset<'_> {
         }
         Ok(())
     }
+}
+
+/// Files of meshes, height fields and skins that a document names, where they are looked for.
+pub(super) fn files(root: &Element, folders: &Folders<'_>) -> Vec<PathBuf> {
+    let sections = root.children.iter().filter(|s| matches!(s.tag.as_str(), "asset" | "deformable"));
+    let elements = sections.flat_map(|section| &section.children);
+    let named = elements.filter(|e| matches!(e.tag.as_str(), "mesh" | "hfield" | "skin"));
+    named.filter_map(|e| Some(folders.mesh(e, e.get("file")?))).collect()
 }
 
 /// A vertex number; what is none becomes one that no mesh has.

@@ -7,6 +7,7 @@ use super::compiler::Compiler;
 use super::defaults::Defaults;
 use super::document::{Document, Model};
 use super::fault::{Fault, MjcfFault, fault, unsupported};
+use super::names;
 use super::orientation::pose;
 use super::world::{Context, Reader};
 use crate::suggest::did_you_mean;
@@ -52,8 +53,8 @@ pub(super) fn attach<'a>(reader: &mut Reader<'a>, element: &'a Element, at: Cont
     let Some(&asset) = reader.assets.models.get(model_name) else {
         let names = reader.assets.models.keys().map(String::as_str);
         let suggestion = did_you_mean(model_name, names);
-        let (kind, name) = ("model", model_name.to_owned());
-        return Err(fault(element.spot_of("model"), MjcfFault::UnknownAsset { kind, name, suggestion }));
+        let (kind, name) = ("model".to_owned(), model_name.to_owned());
+        return Err(fault(element.spot_of("model"), MjcfFault::Unknown { kind, name, suggestion }));
     };
     let found = reader.document.model.models.iter().find(|(at, _)| *at == asset.at);
     let Some((_, model)) = found else { return Err(unsupported(element, "its model was not loaded")) };
@@ -83,6 +84,7 @@ fn of_model(
     let document = Document::new(model, outer.document.files);
     let settings = Rc::new(Compiler::read(&model.root)?);
     let defaults = Defaults::read(&model.root, outer.document.files)?;
+    names::classes(&model.root, &defaults)?;
     let assets = Assets::read(&model.root, &defaults, outer.document.files)?;
     let mut reader = Reader::new(&document, &defaults, &settings, &assets);
     reader.sites |= outer.sites;

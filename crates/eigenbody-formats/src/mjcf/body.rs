@@ -6,6 +6,7 @@ use super::spring::JointSpring;
 use crate::looks::Form;
 use crate::xml::Spot;
 use eigenbody::spatial::{Sym3, Transform, Vec3};
+use std::collections::HashSet;
 use std::rc::Rc;
 
 /// How a joint moves, in MuJoCo's words.
@@ -59,6 +60,14 @@ pub(super) enum Moments {
     Full(Sym3<f64>),
 }
 
+/// A geom, site, camera, light or frame by its name.
+#[derive(Debug, Clone)]
+pub(super) struct Named {
+    pub kind: &'static str,
+    pub name: String,
+    pub at: Spot,
+}
+
 /// A body.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
@@ -75,6 +84,8 @@ pub(super) struct Body {
     pub looks: Vec<(Transform<f64>, Form)>,
     /// Sites that loops may be fastened to, by name, each from the body's frame to its own.
     pub sites: Vec<(String, Transform<f64>)>,
+    /// What else in it bears a name.
+    pub named: Vec<Named>,
     pub children: Vec<usize>,
     pub settings: Rc<Compiler>,
 }
@@ -83,6 +94,8 @@ pub(super) struct Body {
 #[derive(Debug)]
 pub(super) struct Tree {
     pub bodies: Vec<Body>,
+    /// Kinds and names of what was replicated: other sections speak of all copies by them.
+    pub replicated: HashSet<(&'static str, String)>,
 }
 
 /// How copies are named.
@@ -123,11 +136,12 @@ impl Part {
         &self.bodies[id - self.first]
     }
 
-    /// How many bodies and geoms, weighed and drawn, stand in a body.
+    /// How many bodies, and geoms or what else has a name, stand in a body.
     pub fn size(&self, of: usize) -> (usize, usize) {
         let (mut bodies, mut geoms, mut stack) = (0, 0, vec![of]);
         while let Some(id) = stack.pop() {
-            geoms += self.body(id).geoms.len() + self.body(id).looks.len();
+            let body = self.body(id);
+            geoms += (body.geoms.len() + body.looks.len()).max(body.named.len());
             bodies += self.body(id).children.len();
             stack.extend(&self.body(id).children);
         }
@@ -141,7 +155,7 @@ pub(super) const WORLD: usize = 0;
 impl Tree {
     /// The world alone.
     pub fn new(at: Spot, settings: &Rc<Compiler>) -> Self {
-        Self { bodies: vec![Body::new(at, settings)] }
+        Self { bodies: vec![Body::new(at, settings)], replicated: HashSet::new() }
     }
 
     /// Adds a body below another one.
@@ -155,6 +169,15 @@ impl Tree {
     pub fn add_loose(&mut self, body: Body) -> usize {
         self.bodies.push(body);
         self.bodies.len() - 1
+    }
+
+    /// Notes what a part bears by name as replicated.
+    pub fn replicate(&mut self, part: &Part) {
+        for body in &part.bodies {
+            self.replicated.extend(body.name.clone().map(|name| ("body", name)));
+            self.replicated.extend(body.joints.iter().filter_map(|j| Some(("joint", j.name.clone()?))));
+            self.replicated.extend(body.named.iter().map(|n| (n.kind, n.name.clone())));
+        }
     }
 
     /// Takes away the last bodies, from one on.
@@ -193,6 +216,8 @@ impl Tree {
         self.bodies[to].looks.extend(looks);
         let sites = part.body(from).sites.iter().map(|(name, pose)| (rename.name(name), *pose * place));
         self.bodies[to].sites.extend(sites);
+        let named = part.body(from).named.iter().map(|n| Named { name: rename.name(&n.name), ..*n });
+        self.bodies[to].named.extend(named);
         for &child in &part.body(from).children {
             self.copy_body(part, child, to, part.body(child).pose * place, rename);
         }
@@ -213,6 +238,7 @@ impl Tree {
             let children = std::mem::take(&mut copy.children);
             copy.name = copy.name.as_deref().map(|name| rename.name(name));
             copy.sites.iter_mut().for_each(|(name, _)| *name = rename.name(name));
+            copy.named.iter_mut().for_each(|named| named.name = rename.name(&named.name));
             copy.joints.iter_mut().for_each(|joint| {
                 joint.name = joint.name.as_deref().map(|name| rename.name(name));
                 joint.called = joint.called.as_deref().map(|name| rename.called(name));
@@ -250,6 +276,7 @@ impl Body {
             geoms: Vec::new(),
             looks: Vec::new(),
             sites: Vec::new(),
+            named: Vec::new(),
             children: Vec::new(),
             settings: Rc::clone(settings),
         }

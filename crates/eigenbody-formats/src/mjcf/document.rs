@@ -2,7 +2,7 @@
 
 use super::fault::{Fault, MjcfFault, fault};
 use super::include::{Splicer, text};
-use super::schema;
+use super::{names, schema};
 use crate::xml::{Element, Files, Spot};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -40,6 +40,7 @@ impl Model {
             return Err(fault(root.at, MjcfFault::Root { tag: root.tag }));
         }
         schema::check(&root)?;
+        names::check(&root, files)?;
         above.push(files.shelf.canonical(path));
         let named = root.children_named("asset").flat_map(|a| a.children_named("model"));
         let mut models = Vec::new();

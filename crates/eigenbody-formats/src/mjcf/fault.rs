@@ -1,7 +1,7 @@
 //! What can be wrong at one place of an MJCF file.
 
 use super::mesh::MeshFault;
-use crate::error::FileFault;
+use crate::error::{FileFault, numbers_of};
 use crate::location::Location;
 use crate::xml::{Element, Spot, XmlFault};
 use eigenbody::{BuildError, InputError};
@@ -25,7 +25,7 @@ pub enum MjcfFault {
     MissingAttribute { element: String, name: &'static str },
     #[error("'{name}' of <{tag}> holds '{text}', expected {expected}")]
     Value { name: String, tag: String, text: String, expected: String },
-    #[error("'{name}' of <{tag}> holds {found} numbers, expected {expected}")]
+    #[error("'{name}' of <{tag}> holds {}, expected {expected}", numbers_of(*found))]
     NumberCount { name: String, tag: String, found: usize, expected: String },
     #[error("'{file}' cannot be included: {fault}")]
     Include { file: String, fault: FileFault },
@@ -44,9 +44,11 @@ pub enum MjcfFault {
     #[error("no default class is named '{name}'{suggestion}")]
     UnknownClass { name: String, suggestion: String },
     #[error("no {kind} is named '{name}'{suggestion}")]
-    UnknownAsset { kind: &'static str, name: String, suggestion: String },
+    Unknown { kind: String, name: String, suggestion: String },
     #[error("a second {kind} is named '{name}'; the first is at {first}")]
-    SecondAsset { kind: &'static str, name: String, first: Location },
+    Second { kind: String, name: String, first: Location },
+    #[error("{element} acts on nothing, expected one of joint, jointinparent, tendon, site, body, cranksite")]
+    NoTarget { element: String },
     #[error("{what} cannot be read: {why}")]
     Unsupported { what: String, why: &'static str },
     #[error("{element} has '{first}' and '{second}', expected one orientation")]
@@ -85,12 +87,10 @@ pub enum MjcfFault {
     TooManyAttachments { limit: usize },
     #[error("no body or frame is named '{name}' to attach{suggestion}")]
     NothingToAttach { name: String, suggestion: String },
-    #[error("key '{name}': qpos holds {found} numbers, expected {expected}")]
+    #[error("key '{name}': qpos holds {}, expected {expected}", numbers_of(*found))]
     KeyLength { name: String, found: usize, expected: usize },
     #[error("key '{name}': the quaternion of joint '{joint}' is zero")]
     KeyQuaternion { name: String, joint: String },
-    #[error("{error}; the first is at {first}")]
-    Duplicate { error: BuildError, first: Location },
     #[error("the floating base has {0}")]
     Base(InputError),
     #[error("{0}")]

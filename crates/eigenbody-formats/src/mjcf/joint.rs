@@ -5,6 +5,7 @@ use super::body::{Align, Joint, Motion};
 use super::compiler::Compiler;
 use super::defaults::Styled;
 use super::fault::{Fault, MjcfFault, fault};
+use super::names::name;
 use super::spring::JointSpring;
 use crate::xml::Element;
 use eigenbody::spatial::{Transform, Vec3};
@@ -40,8 +41,8 @@ pub(super) fn read(joint: &Styled<'_>, frame: &Transform<f64>, settings: &Compil
         number(joint.find(name), tag)?;
     }
     Ok(Joint {
-        name: joint.element.get("name").map(str::to_owned),
-        called: joint.element.get("name").map(str::to_owned),
+        name: name(joint.element).map(str::to_owned),
+        called: name(joint.element).map(str::to_owned),
         at: joint.element.at,
         motion,
         pos,
@@ -62,8 +63,8 @@ pub(super) fn read_free(element: &Element) -> Result<Joint, Fault> {
         _ => Align::Auto,
     };
     Ok(Joint {
-        name: element.get("name").map(str::to_owned),
-        called: element.get("name").map(str::to_owned),
+        name: name(element).map(str::to_owned),
+        called: name(element).map(str::to_owned),
         at: element.at,
         motion: Motion::Free,
         pos: Vec3::ZERO,

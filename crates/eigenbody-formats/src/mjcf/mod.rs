@@ -24,6 +24,7 @@ mod joint;
 mod keyframe;
 mod mass;
 mod mesh;
+mod names;
 mod orientation;
 mod principal;
 mod schema;
@@ -38,7 +39,7 @@ use crate::file::Shelf;
 use crate::loaded::{Format, Kind, Loaded, Note, Places, Stepping};
 use crate::looks::Look;
 use crate::xml::{Files, Spot};
-use asset::Assets;
+use asset::{Assets, Folders};
 use attribute::{array, keyword};
 use build::{Parts, can_float, parts};
 use closure::Loop;
@@ -50,10 +51,10 @@ use eigenbody::dynamics::Closure;
 use eigenbody::model::{MimicSpec, Place};
 use eigenbody::spatial::Vec3;
 use eigenbody::stability::Spring;
-use eigenbody::{Base, BuildError, Model};
+use eigenbody::{Base, Model};
 use fault::{Fault, fault};
 use spring::{Options, Springs};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use world::Reader;
 
@@ -120,6 +121,7 @@ pub(crate) fn read_text(
         joint_names,
         closures,
         looks,
+        assets,
     } = built;
     let keyframes =
         keyframe::read(&source.root, &model, &reference).map_err(|problem| located(problem, &files))?;
@@ -138,7 +140,19 @@ pub(crate) fn read_text(
     let loaded = Loaded::new(model, name, kind, places);
     let (format, notes, stepping) = (Some(Format::Mjcf), notes.collect(), Some(stepping));
     let base = options.base;
-    Ok(Loaded { format, base, notes, keyframes, closures, springs, looks, stepping, mimic: false, ..loaded })
+    Ok(Loaded {
+        format,
+        base,
+        notes,
+        keyframes,
+        closures,
+        springs,
+        looks,
+        stepping,
+        assets,
+        mimic: false,
+        ..loaded
+    })
 }
 
 /// A fault with its place as text.
@@ -170,6 +184,7 @@ struct Built {
     joint_names: Vec<String>,
     closures: Vec<Result<Closure, String>>,
     looks: Vec<Look>,
+    assets: Vec<PathBuf>,
 }
 
 fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> Result<Built, Problem> {
@@ -177,6 +192,7 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
     let document = Document::new(source, files);
     let settings = Rc::new(Compiler::read(root)?);
     let defaults = Defaults::read(root, files)?;
+    names::classes(root, &defaults)?;
     let assets = Assets::read(root, &defaults, files)?;
     let mut reader = Reader::new(&document, &defaults, &settings, &assets);
     reader.read(true)?;
@@ -184,6 +200,7 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
     if options.base == Base::Floating && !can_float(&tree) {
         return Err(Problem::NoBase);
     }
+    names::resolve(&tree, root, &attached, files)?;
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     let name = root.get("model").map(str::to_owned).or(stem).unwrap_or_default();
     let mut parts = parts(&mut tree, root, &name, options.base)?;
@@ -217,10 +234,12 @@ fn build(source: &Source, files: &Files, path: &Path, options: &MjcfOptions) -> 
             Some(MimicSpec { joint: leader, multiplier: f.multiplier, offset: f.offset });
     }
     let specs = parts.joints.clone();
-    let built = finish(parts, notes, &loops, root.at, options.base, files)?;
+    let built = finish(parts, notes, &loops, root.at, options.base)?;
     let settings = Options::read(root)?;
     let springs = settings.applied(springs.resolve(&built.model, &specs, &built.reference));
-    Ok(Built { springs, stepping: settings.stepping, ..built })
+    let mut assets = Vec::new();
+    asset_files(source, files, &mut assets)?;
+    Ok(Built { springs, stepping: settings.stepping, assets, ..built })
 }
 
 /// The model of the parts.
@@ -230,22 +249,12 @@ fn finish(
     loops: &[Loop],
     root: Spot,
     base: Base,
-    files: &Files,
 ) -> Result<Built, Problem> {
     let Parts {
-        mut builder,
-        joints,
-        link_names,
-        link_spots,
-        joint_spots,
-        reference,
-        base_armature,
-        frames,
-        looks,
-        ..
+        mut builder, joints, link_spots, joint_spots, reference, base_armature, frames, looks, ..
     } = parts;
     let joint_names: Vec<String> = joints.iter().map(|joint| joint.name.clone()).collect();
-    let mut link_origins = vec![Vec3::ZERO; link_names.len()];
+    let mut link_origins = vec![Vec3::ZERO; link_spots.len()];
     for placed in frames.bodies.values() {
         link_origins[placed.link.index()] = placed.origin;
     }
@@ -258,17 +267,8 @@ fn finish(
             Place::Link(link) => (link_spots.as_slice(), link.index()),
             Place::Joint(joint) => (joint_spots.as_slice(), joint.index()),
         };
-        let first = match &error {
-            BuildError::DuplicateLink { name, .. } => link_names.iter().position(|n| n == name),
-            BuildError::DuplicateJoint { name, .. } => joint_names.iter().position(|n| n == name),
-            _ => None,
-        };
         let at = spots.get(index).copied().unwrap_or(root);
-        let fault_kind = match first.and_then(|k| spots.get(k)) {
-            Some(&first) => MjcfFault::Duplicate { error, first: files.locate(first).1 },
-            None => MjcfFault::Build(error),
-        };
-        fault(at, fault_kind)
+        fault(at, MjcfFault::Build(error))
     })?;
     if let Some((at, base)) = base_armature {
         let mut armature = model.armature().to_vec();
@@ -277,7 +277,7 @@ fn finish(
     }
     let close = |l: &Loop| closure::closure(l, &frames, &model, &reference).ok_or_else(|| l.name.clone());
     let closures = loops.iter().map(close).collect();
-    let (springs, stepping) = (Vec::new(), Stepping::default());
+    let (springs, stepping, assets) = (Vec::new(), Stepping::default(), Vec::new());
     Ok(Built {
         model,
         springs,
@@ -290,7 +290,16 @@ fn finish(
         joint_names,
         closures,
         looks,
+        assets,
     })
+}
+
+/// Files of assets of a model and of the models that it names.
+fn asset_files(model: &Source, files: &Files, found: &mut Vec<PathBuf>) -> Result<(), Fault> {
+    let settings = Compiler::read(&model.root)?;
+    let folders = Folders { files, main: model.folder.clone(), settings: &settings };
+    found.extend(asset::files(&model.root, &folders));
+    model.models.iter().try_for_each(|(_, inner)| asset_files(inner, files, found))
 }
 
 /// What `<option>` says of gravity, if anything.

@@ -2,12 +2,13 @@
 
 use super::asset::{Assets, Folders};
 use super::attribute::{array, number, required, value_fault};
-use super::body::{Body, Inertial, Moments, Rename, Tree, WORLD};
+use super::body::{Body, Inertial, Moments, Named, Rename, Tree, WORLD};
 use super::compiler::{Compiler, FromGeoms};
 use super::defaults::{Class, Defaults, MAIN};
 use super::document::{Document, Model};
 use super::fault::{Fault, MjcfFault, fault, unsupported};
 use super::geom::{self, Shapes};
+use super::names::name;
 use super::orientation::{euler, pose, rotation};
 use super::{attach, joint};
 use crate::xml::Element;
@@ -96,6 +97,7 @@ impl<'a> Reader<'a> {
                 if element.find("name").is_some() {
                     self.frames.push((element, at));
                 }
+                self.named("frame", element, at);
                 Ok(())
             }
             "replicate" => self.replicate(element, at),
@@ -125,19 +127,38 @@ impl<'a> Reader<'a> {
                 self.tree.bodies[at.body].joints.push(joint);
                 Ok(())
             }
-            "geom" => self.geom(element, at),
+            "geom" => {
+                self.defaults.named(element, "class")?;
+                self.named("geom", element, at);
+                self.geom(element, at)
+            }
             "flexcomp" | "composite" => Err(unsupported(element, "it generates bodies")),
-            "site" if self.sites => self.site(element, at),
+            "site" => {
+                self.defaults.named(element, "class")?;
+                self.named("site", element, at);
+                if self.sites { self.site(element, at) } else { Ok(()) }
+            }
             // Cameras, lights and plugins carry neither mass nor joints.
+            "camera" | "light" => {
+                self.defaults.named(element, "class")?;
+                self.named(if element.tag == "light" { "light" } else { "camera" }, element, at);
+                Ok(())
+            }
             _ => Ok(()),
         }
+    }
+
+    /// Notes the name of what stands in a body.
+    fn named(&mut self, kind: &'static str, element: &Element, at: Context) {
+        let named = |name: &str| Named { kind, name: name.to_owned(), at: element.at };
+        self.tree.bodies[at.body].named.extend(name(element).map(named));
     }
 
     fn body(&mut self, element: &'a Element, at: Context) -> Result<(), Fault> {
         let class = self.defaults.named(element, "childclass")?.unwrap_or(at.class);
         let own_pose = pose(element, self.settings)?;
         let body = Body {
-            name: element.get("name").filter(|name| !name.is_empty()).map(str::to_owned),
+            name: name(element).map(str::to_owned),
             pose: own_pose * at.frame,
             own_pose,
             ..Body::new(element.at, self.settings)
@@ -236,6 +257,7 @@ impl<'a> Reader<'a> {
         let inside = Context { replicated: true, weightless: at.weightless, ..Context::inside(loose, class) };
         self.contents(element, inside)?;
         let template = self.tree.split_off(loose);
+        self.tree.replicate(&template);
         let (bodies, geoms) = template.size(loose);
         if self.tree.bodies.len().saturating_add(count.saturating_mul(bodies)) > MAX_BODIES {
             return Err(fault(element.at, MjcfFault::TooManyBodies { limit: MAX_BODIES }));

@@ -1,6 +1,7 @@
 //! Which column of a log is what.
 
 use super::MotionOptions;
+use crate::error::counted;
 use crate::suggest::did_you_mean;
 use eigenbody::Model;
 use eigenbody::model::JointInfo;
@@ -79,7 +80,11 @@ impl Columns {
         let has = |slot| self.slots.contains(&Some(slot));
         let velocities = (0..model.nv()).filter(|&d| has(Slot::Velocity(d))).count();
         if velocities != 0 && velocities != model.nv() {
-            return Err(format!("{velocities} columns of velocities, expected none or {}", model.nv()));
+            return Err(format!(
+                "{} of velocities, expected none or {}",
+                counted(velocities, "column", "columns"),
+                model.nv()
+            ));
         }
         self.velocities = velocities > 0;
         if options.wanted == Wanted::Forces {

@@ -1,6 +1,6 @@
 //! What can be wrong with a log.
 
-use crate::error::{FileFault, OneLine};
+use crate::error::{FileFault, OneLine, counted};
 use thiserror::Error;
 
 /// A log that cannot be followed. The message is one line.
@@ -40,7 +40,7 @@ pub enum MotionError {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[allow(missing_docs)] // the messages say it all
 pub enum RowFault {
-    #[error("{found} columns, expected {expected}")]
+    #[error("{}, expected {expected}", counted(*found, "column", "columns"))]
     Columns { found: usize, expected: usize },
     #[error("column '{column}': '{found}' is no finite number")]
     Number { column: String, found: String },

@@ -14,6 +14,8 @@ pub enum SdfFault {
     Xml(#[from] XmlFault),
     #[error("no SDF: the root element is <{tag}>, expected <sdf>")]
     Root { tag: String },
+    #[error("<sdf> has version '{found}', expected 1.x")]
+    Version { found: String },
     #[error("<sdf> holds no <model> and no <world>")]
     NoModel,
     #[error("{element} has no attribute '{name}'")]
@@ -30,6 +32,8 @@ pub enum SdfFault {
     SecondName { name: String, first: Location },
     #[error("no link, joint, frame or model is named '{name}' here{suggestion}")]
     UnknownName { name: String, suggestion: String },
+    #[error("no link is named '{name}' here{suggestion}")]
+    UnknownLink { name: String, suggestion: String },
     #[error("the pose of '{name}' is relative to itself, directly or through others")]
     PoseLoop { name: String },
     #[error("'{name}' is attached to no link")]
@@ -60,6 +64,13 @@ pub(super) struct Fault {
 /// A fault at a place.
 pub(super) fn fault(at: Spot, fault: SdfFault) -> Fault {
     Fault { at, fault }
+}
+
+/// The x of version 1.x; 9 where a file says nothing.
+pub(super) fn minor_version(root: &Element) -> Result<u32, Fault> {
+    let Some(version) = root.find("version") else { return Ok(9) };
+    let minor = version.value.strip_prefix("1.").and_then(|minor| minor.parse().ok());
+    minor.ok_or_else(|| fault(version.at, SdfFault::Version { found: shortened(&version.value) }))
 }
 
 /// Says that an element means more than this reader can do.

@@ -1,6 +1,6 @@
 //! `<include>`: models of other files within the folder.
 
-use super::fault::{Fault, SdfFault, boolean_in, child, fault, required, unsupported};
+use super::fault::{Fault, SdfFault, boolean_in, child, fault, minor_version, required, unsupported};
 use crate::error::FileFault;
 use crate::location::Location;
 use crate::xml::{self, Element, Files, SourceFile, Spot};
@@ -30,6 +30,7 @@ impl Splicer<'_> {
         if root.tag != "sdf" {
             return Err(fault(root.at, SdfFault::Root { tag: root.tag }));
         }
+        minor_version(&root)?;
         self.open.push(self.files.shelf.canonical(path));
         self.splice(&mut root)?;
         self.open.pop();

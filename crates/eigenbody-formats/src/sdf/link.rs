@@ -1,7 +1,7 @@
 //! `<link>`: its mass, given or from its collision shapes.
 
 use super::fault::{Fault, array, child, number_in, unsupported, value_fault};
-use super::pose::pose;
+use super::pose::own_pose;
 use crate::shape::Shape;
 use crate::xml::Element;
 use eigenbody::spatial::{RigidInertia, Sym3, Vec3};
@@ -18,7 +18,7 @@ pub(super) fn inertia(link: &Element) -> Result<RigidInertia<f64>, Fault> {
         return Err(unsupported(inertial, "fluid_added_mass is no rigid-body inertia"));
     }
     let m = number_in(inertial, "mass", 1.0)?;
-    let (X, _) = pose(inertial)?;
+    let X = own_pose(inertial)?;
     let I = match child(inertial, "inertia")? {
         None => Sym3::diagonal(1.0, 1.0, 1.0),
         Some(entries) => Sym3 {
@@ -39,7 +39,7 @@ fn from_collisions(link: &Element, inertial: &Element) -> Result<RigidInertia<f6
     let mut sum = RigidInertia::ZERO;
     for collision in link.children_named("collision") {
         let density = number_in(collision, "density", density)?;
-        let (X, _) = pose(collision)?;
+        let X = own_pose(collision)?;
         let Some(geometry) = child(collision, "geometry")? else { continue };
         let Some(shape) = geometry.children.first() else { continue };
         let shape = primitive(shape)?;

@@ -1,6 +1,8 @@
 //! Links and joints: found by their names, connected to a spanning tree, built.
 
-use super::fault::{Fault, SdfFault, array, boolean_in, child, fault, name, required, unsupported};
+use super::fault::{
+    Fault, SdfFault, array, boolean_in, child, fault, minor_version, name, required, unsupported,
+};
 use super::scope::{Kind, Scopes, WORLD};
 use super::{joint, link, look, pose};
 use crate::looks::Look;
@@ -40,8 +42,6 @@ pub(super) struct Built {
 impl<'a> Parts<'a> {
     /// The parts of a document.
     pub fn read(root: &'a Element, files: &Files) -> Result<Self, Fault> {
-        let version: Vec<u32> =
-            root.get("version").unwrap_or("1.9").split('.').filter_map(|n| n.parse().ok()).collect();
         let mut parts = Self {
             scopes: Scopes::new(root.at),
             name: String::new(),
@@ -51,7 +51,7 @@ impl<'a> Parts<'a> {
             fixed: Vec::new(),
             cut: Vec::new(),
             // Up to version 1.4 axes are given in the model's frame.
-            axes_in_model: version.as_slice() < [1, 5].as_slice(),
+            axes_in_model: minor_version(root)? < 5,
         };
         let world = child(root, "world")?;
         let holder = world.unwrap_or(root);
@@ -65,9 +65,16 @@ impl<'a> Parts<'a> {
         }
         // A lone model's names need no prefix.
         let lone = world.is_none();
+        let mut firsts = HashMap::new();
         for model in models {
+            let own = name(model)?;
+            if let Some(first) = firsts.insert(own, model.at).filter(|_| lone) {
+                let first = files.locate(first).1;
+                return Err(fault(model.at, SdfFault::SecondName { name: own.to_owned(), first }));
+            }
             parts.model(model, "", lone, false, files)?;
         }
+        parts.scopes.check()?;
         parts.connect()?;
         Ok(parts)
     }
@@ -85,11 +92,12 @@ impl<'a> Parts<'a> {
         let inner = if lone { String::new() } else { format!("{scope}{own}::") };
         let fixed = fixed || boolean_in(model, "static", false)?;
         let first = model.children_named("link").next();
-        let canonical =
-            model.get("canonical_link").or(first.and_then(|link| link.get("name"))).map(str::to_owned);
+        let canonical = model.get("canonical_link").filter(|name| !name.is_empty());
+        let canonical = canonical.or(first.and_then(|link| link.get("name"))).map(str::to_owned);
         let placement = model.get("placement_frame").filter(|name| !name.is_empty()).map(str::to_owned);
         let (X, relative_to) = pose::pose(model)?;
         if !lone {
+            let (canonical, placement) = (canonical.clone(), placement.clone());
             let kind = Kind::Model { canonical, placement };
             self.scopes.add(own, scope, kind, model, (X, relative_to.unwrap_or_default()), files)?;
         }
@@ -123,6 +131,16 @@ impl<'a> Parts<'a> {
                     let attached_to = element.get("attached_to").unwrap_or_default().to_owned();
                     self.scopes.add(element_name, &inner, Kind::Frame { attached_to }, element, at, files)?;
                 }
+            }
+        }
+        if lone {
+            self.scopes.check_model(model, &inner, canonical.as_deref(), placement.as_deref())?;
+            // Around a lone model there is the world and nothing else.
+            if let (Some(name), Some(pose)) =
+                (relative_to.filter(|name| *name != "world"), child(model, "pose")?)
+            {
+                let unknown = SdfFault::UnknownName { name: name.to_owned(), suggestion: String::new() };
+                return Err(fault(pose::relative_spot(pose), unknown));
             }
         }
         Ok(())

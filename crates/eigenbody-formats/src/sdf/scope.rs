@@ -1,6 +1,7 @@
 //! Names of models in models, and where everything stands: the graph of poses.
 
 use super::fault::{Fault, SdfFault, fault};
+use super::pose;
 use crate::suggest::did_you_mean;
 use crate::xml::{Element, Files, Spot};
 use eigenbody::spatial::Transform;
@@ -37,6 +38,14 @@ pub(super) struct Frame<'a> {
     pub at: Spot,
     pose: Transform<f64>,
     relative_to: String,
+}
+
+impl Frame<'_> {
+    /// Where it says what its pose is relative to.
+    fn relative_spot(&self) -> Spot {
+        let pose = self.element.and_then(|element| element.children_named("pose").next());
+        pose.map_or(self.at, pose::relative_spot)
+    }
 }
 
 /// The names and poses of a document.
@@ -110,6 +119,58 @@ impl<'a> Scopes<'a> {
         })
     }
 
+    /// The link that a name in a scope means.
+    pub fn find_link(&self, name: &str, scope: &str, at: Spot) -> Result<usize, Fault> {
+        let found = self.find(name, scope, at).ok().filter(|&id| self.frames[id].kind == Kind::Link);
+        found.ok_or_else(|| {
+            let links = self.frames.iter().filter(|f| f.kind == Kind::Link);
+            let suggestion = did_you_mean(name, links.filter_map(|f| f.name.strip_prefix(scope)));
+            fault(at, SdfFault::UnknownLink { name: name.to_owned(), suggestion })
+        })
+    }
+
+    /// The frame in a model's own scope that a name means: not the world.
+    pub fn find_inside(&self, name: &str, scope: &str, at: Spot) -> Result<usize, Fault> {
+        let found = self.find(name, scope, at)?;
+        let unknown = || SdfFault::UnknownName { name: name.to_owned(), suggestion: String::new() };
+        if found == WORLD { Err(fault(at, unknown())) } else { Ok(found) }
+    }
+
+    /// What frames name is there, whether or not anything stands on it.
+    pub fn check(&self) -> Result<(), Fault> {
+        for f in &self.frames {
+            self.find(&f.relative_to, &f.scope, f.relative_spot())?;
+            match (&f.kind, f.element) {
+                (Kind::Frame { attached_to }, Some(element)) => {
+                    self.find(attached_to, &f.scope, element.spot_of("attached_to"))?;
+                }
+                (Kind::Model { canonical, placement }, Some(element)) => {
+                    let scope = format!("{}::", f.name);
+                    self.check_model(element, &scope, canonical.as_deref(), placement.as_deref())?;
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// What a model names in its own scope is there.
+    pub fn check_model(
+        &self,
+        model: &Element,
+        scope: &str,
+        canonical: Option<&str>,
+        placement: Option<&str>,
+    ) -> Result<(), Fault> {
+        if let Some(name) = canonical {
+            self.find_link(name, scope, model.spot_of("canonical_link"))?;
+        }
+        if let Some(name) = placement {
+            self.find_inside(name, scope, model.spot_of("placement_frame"))?;
+        }
+        Ok(())
+    }
+
     /// Where a frame stands in the world.
     pub fn pose(&self, frame: usize) -> Result<Transform<f64>, Fault> {
         self.relative(frame, WORLD, 0)
@@ -148,7 +209,7 @@ impl<'a> Scopes<'a> {
                 _ => {}
             }
             X = X * pose;
-            id = self.find(&f.relative_to, scope, f.at)?;
+            id = self.find(&f.relative_to, scope, f.relative_spot())?;
         }
         Ok(X)
     }

@@ -1,6 +1,7 @@
 //! What can be wrong at one place of a URDF file.
 
 use super::element::{Element, Fault};
+use crate::error::numbers_of;
 use crate::location::Location;
 use eigenbody::BuildError;
 use thiserror::Error;
@@ -29,7 +30,7 @@ pub enum UrdfFault {
     SecondChild { tag: String, parent: String },
     #[error("{what} holds '{text}', expected a finite number")]
     NotFinite { what: String, text: String },
-    #[error("{what} holds {found} numbers, expected {expected}")]
+    #[error("{what} holds {}, expected {expected}", numbers_of(*found))]
     NumberCount { what: String, found: usize, expected: usize },
     #[error("'quat_xyzw' of <origin> has norm {norm}, expected a unit quaternion x y z w")]
     NotUnitQuaternion { norm: f64 },

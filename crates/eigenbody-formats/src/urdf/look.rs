@@ -19,6 +19,19 @@ pub(super) fn looks(robot: Element<'_, '_>) -> Vec<Look> {
     found
 }
 
+/// Files of meshes that visuals and collisions name.
+pub(super) fn meshes(robot: Element<'_, '_>) -> Vec<String> {
+    let mut found = Vec::new();
+    for link in robot.children("link") {
+        for shape in link.children("visual").chain(link.children("collision")) {
+            let geometry = shape.child("geometry").ok().flatten();
+            let mesh = geometry.and_then(|geometry| geometry.child("mesh").ok()?);
+            found.extend(mesh.and_then(|mesh| mesh.attribute("filename").ok().map(str::to_owned)));
+        }
+    }
+    found
+}
+
 fn form(visual: Element<'_, '_>) -> Option<Form> {
     let geometry = visual.child("geometry").ok()??;
     let shape = |tag| geometry.child(tag).ok().flatten();

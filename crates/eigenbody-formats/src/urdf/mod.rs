@@ -108,9 +108,10 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
         .map_err(|Fault { offset, fault }| located_at(Location::at(text.as_bytes(), offset), fault))?;
     let (rotors, looks) = (rotors.into_iter().map(|(rotor, _)| rotor).collect(), look::looks(robot));
     let kind = Kind::File(file_name.into());
+    let meshes = look::meshes(robot);
     let (format, base) = (Some(Format::Urdf), options.base);
     let loaded = Loaded::new(model, file_name.to_owned(), kind, places);
-    Ok(Loaded { format, base, rotors, springs, looks, notes, ..loaded })
+    Ok(Loaded { format, base, rotors, springs, looks, meshes, notes, ..loaded })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.

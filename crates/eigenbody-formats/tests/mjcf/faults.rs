@@ -50,6 +50,7 @@ fn elements_and_attributes_that_are_unknown() {
 fn values() {
     assert_snapshot!(geom("<geom size='big'/>"), @"m.xml:2:41: 'size' of <geom> holds 'big', expected a number");
     assert_snapshot!(geom("<geom size='.1' pos='1 2'/>"), @"m.xml:2:51: 'pos' of <geom> holds 2 numbers, expected 3");
+    assert_snapshot!(geom("<geom size='.1' pos='1'/>"), @"m.xml:2:51: 'pos' of <geom> holds 1 number, expected 3");
     assert_snapshot!(geom("<geom size='.1' pos='1 2 inf'/>"), @"m.xml:2:51: 'pos' of <geom> holds 'inf', expected a finite number");
     assert_snapshot!(geom("<geom size='.1' density='nan'/>"), @"m.xml:2:51: 'density' of <geom> holds 'nan', expected a number");
     assert_snapshot!(geom("<geom type='ball' size='.1'/>"), @"m.xml:2:41: 'type' of <geom> holds 'ball', expected one of plane, hfield, sphere, capsule, ellipsoid, cylinder, box, mesh, sdf");
@@ -69,6 +70,13 @@ fn classes() {
     assert_snapshot!(fault("<default><default class='a'/>\n<default class='a'/></default>"), @"m.xml:3:10: a second default class is named 'a'; the first is at 2:10");
     assert_snapshot!(fault("<default><default class='visual'/></default><worldbody><body><geom class='visuel'/></body></worldbody>"), @"m.xml:2:68: no default class is named 'visuel'; did you mean 'visual'?");
     assert_snapshot!(world("<body childclass='a'/>"), @"m.xml:2:18: no default class is named 'a'");
+    // Where nothing is read but the class.
+    assert_snapshot!(world("<geom class='a' size='.1'/>"), @"m.xml:2:18: no default class is named 'a'");
+    assert_snapshot!(world("<site class=''/>"), @"m.xml:2:18: no default class is named ''");
+    assert_snapshot!(world("<camera class='a'/>"), @"m.xml:2:20: no default class is named 'a'");
+    assert_snapshot!(world("<light class='a'/>"), @"m.xml:2:19: no default class is named 'a'");
+    assert_snapshot!(fault("<asset><material name='m' class='a'/></asset>"), @"m.xml:2:27: no default class is named 'a'");
+    assert_snapshot!(fault("<contact><pair class='a'/></contact>"), @"m.xml:2:16: no default class is named 'a'");
 }
 
 #[test]
@@ -91,7 +99,7 @@ fn bodies_and_joints() {
     assert_snapshot!(joints("<freejoint/><joint/>"), @"m.xml:2:39: body 'b' has more than 6 degrees of freedom");
     assert_snapshot!(world("<body><geom size='.1'/><body><freejoint name='f'/><geom size='.1'/></body></body>"), @"m.xml:2:41: joint 'f' is free, so its body must stand in the world body");
     assert_snapshot!(joints("<joint name='j'/>\n<joint name='j' axis='1 0 0'/>"), @"m.xml:3:1: a second joint is named 'j'; the first is at 2:27");
-    assert_snapshot!(world("<body name='b'/>\n<body name='b'/>"), @"m.xml:3:1: a second link is named 'b'; the first is at 2:12");
+    assert_snapshot!(world("<body name='b'/>\n<body name='b'/>"), @"m.xml:3:1: a second body is named 'b'; the first is at 2:12");
     assert_snapshot!(joints("<joint armature='-1'/>"), @"m.xml:2:27: joint 'joint_0' has armature -1, expected zero or more (kg m² or kg)");
     assert_snapshot!(world("<body><joint/><replicate count='2'><joint/></replicate></body>"), @"m.xml:2:47: <joint> cannot stand directly in a <replicate>: the joint would be on the body outside it");
     assert_snapshot!(world("<body><replicate count='2'><inertial pos='0 0 0' mass='1'/></replicate></body>"), @"m.xml:2:39: <inertial> cannot be read: it stands in a <replicate>");
@@ -123,6 +131,7 @@ fn assets() {
     assert_snapshot!(geom("<geom type='mesh'/>"), @"m.xml:2:35: <geom>: it names no mesh");
     assert_snapshot!(geom("<geom type='sdf' mesh='m'/>"), @"m.xml:2:35: <geom> cannot be read: its shape comes from a plugin");
     assert_snapshot!(mesh("file='no/such.stl'"), @"m.xml:2:8: mesh 'm': file 'no/such.stl': no such file");
+    assert_snapshot!(mesh("vertex='0 0 0'"), @"m.xml:2:8: mesh 'm': 1 vertex, expected at least 4");
     assert_snapshot!(mesh("vertex='0 0 0 1 0 0'"), @"m.xml:2:8: mesh 'm': 2 vertices, expected at least 4");
     assert_snapshot!(mesh("vertex='0 0 0 1 0 0 0 1 0 1 1 0'"), @"m.xml:2:8: mesh 'm': all vertices lie in one plane");
     assert_snapshot!(mesh("vertex='0 0 0 1 0 0 0 1 0 0 0 1' face='0 1 4'"), @"m.xml:2:8: mesh 'm': face 0 names vertex 4 of 4");
@@ -142,6 +151,96 @@ fn keyframes() {
     };
     assert_snapshot!(key("<key name='home' qpos='1 2'/>"), @"m.xml:3:28: key 'home': qpos holds 2 numbers, expected 8");
     assert_snapshot!(key("<key qpos='1 0 0 0 0 0 0 0'/>"), @"m.xml:3:16: key '0': the quaternion of joint 'joint_1' is zero");
+}
+
+/// Three bodies with a joint, a geom and a site each; the sections begin at line 3.
+fn named(sections: &str) -> Result<(), String> {
+    let body = |n: usize| {
+        format!(
+            "<body name='b{n}'><joint name='j{n}'/><geom name='g{n}' size='.1'/><site name='s{n}'/><camera name='c{n}'/></body>"
+        )
+    };
+    let bodies: String = (1..4).map(body).collect();
+    let copies = "<replicate count='0'><body name='none'><joint name='spare'/></body></replicate>\
+         <replicate count='2'><replicate count='2' sep='-'><body name='leg'><joint name='hip'/><geom name='toe' size='.1'/></body></replicate></replicate>";
+    let text = format!("<mujoco>\n<worldbody>{bodies}{copies}</worldbody>\n{sections}\n</mujoco>");
+    read_mjcf_str(&text, "m.xml", &MjcfOptions::default()).map(drop).map_err(|error| error.to_string())
+}
+
+/// What names something that is not there, as MuJoCo refuses it.
+#[test]
+fn what_is_named_must_be_there() {
+    let of = |section: &'static str| {
+        move |element: &str| named(&format!("<{section}>{element}</{section}>")).unwrap_err()
+    };
+    let actuator = of("actuator");
+    assert_snapshot!(actuator("<motor joint='j9'/>"), @"m.xml:3:18: no joint is named 'j9'; did you mean 'j1'?");
+    assert_snapshot!(actuator("<motor jointinparent='hips'/>"), @"m.xml:3:18: no joint is named 'hips'; did you mean 'hip'?");
+    assert_snapshot!(actuator("<motor tendon='t'/>"), @"m.xml:3:18: no tendon is named 't'");
+    assert_snapshot!(actuator("<general body='nobody'/>"), @"m.xml:3:20: no body is named 'nobody'");
+    assert_snapshot!(actuator("<motor site='nowhere'/>"), @"m.xml:3:18: no site is named 'nowhere'");
+    assert_snapshot!(actuator("<motor site='s1' refsite='nowhere'/>"), @"m.xml:3:28: no site is named 'nowhere'");
+    assert_snapshot!(actuator("<motor cranksite='s1' slidersite='nowhere' cranklength='1'/>"), @"m.xml:3:33: no site is named 'nowhere'");
+    assert_snapshot!(actuator("<motor cranksite='s1' cranklength='1'/>"), @"m.xml:3:11: <motor> has no attribute 'slidersite'");
+    assert_snapshot!(actuator("<motor name='m' joint=''/>"), @"m.xml:3:11: motor 'm' acts on nothing, expected one of joint, jointinparent, tendon, site, body, cranksite");
+    let equality = of("equality");
+    assert_snapshot!(equality("<joint joint1='j1' joint2='nobody'/>"), @"m.xml:3:30: no joint is named 'nobody'");
+    assert_snapshot!(equality("<joint joint1='nobody' active='false'/>"), @"m.xml:3:18: no joint is named 'nobody'");
+    assert_snapshot!(equality("<joint joint2='j1'/>"), @"m.xml:3:11: <joint> has no attribute 'joint1'");
+    assert_snapshot!(equality("<connect body1='b1' body2='nobody' anchor='0 0 0'/>"), @"m.xml:3:31: no body is named 'nobody'");
+    assert_snapshot!(equality("<connect body1='b1'/>"), @"m.xml:3:11: <connect> has no attribute 'anchor'");
+    assert_snapshot!(equality("<weld site1='s1' site2='nowhere'/>"), @"m.xml:3:28: no site is named 'nowhere'");
+    assert_snapshot!(equality("<weld site1='s1'/>"), @"m.xml:3:11: <weld> has no attribute 'site2'");
+    assert_snapshot!(equality("<weld/>"), @"m.xml:3:11: <weld> has no attribute 'body1'");
+    assert_snapshot!(equality("<tendon tendon1='t'/>"), @"m.xml:3:19: no tendon is named 't'");
+    let tendon = of("tendon");
+    assert_snapshot!(tendon("<fixed><joint joint='nobody' coef='1'/></fixed>"), @"m.xml:3:23: no joint is named 'nobody'");
+    assert_snapshot!(tendon("<fixed><joint joint='j1'/></fixed>"), @"m.xml:3:16: <joint> has no attribute 'coef'");
+    assert_snapshot!(tendon("<spatial><site site='s1'/><site site='nowhere'/></spatial>"), @"m.xml:3:41: no site is named 'nowhere'");
+    assert_snapshot!(tendon("<spatial><geom geom='nothing'/></spatial>"), @"m.xml:3:24: no geom is named 'nothing'");
+    assert_snapshot!(tendon("<spatial><geom geom='g1' sidesite='nowhere'/></spatial>"), @"m.xml:3:34: no site is named 'nowhere'");
+    let contact = of("contact");
+    assert_snapshot!(contact("<exclude body1='b1' body2='nobody'/>"), @"m.xml:3:30: no body is named 'nobody'");
+    assert_snapshot!(contact("<exclude body1='b1'/>"), @"m.xml:3:10: <exclude> has no attribute 'body2'");
+    assert_snapshot!(contact("<pair geom1='g1' geom2='nothing'/>"), @"m.xml:3:27: no geom is named 'nothing'");
+    let sensor = of("sensor");
+    assert_snapshot!(sensor("<jointpos joint='nobody'/>"), @"m.xml:3:19: no joint is named 'nobody'");
+    assert_snapshot!(sensor("<framepos objtype='xbody' objname='nobody'/>"), @"m.xml:3:35: no body is named 'nobody'");
+    assert_snapshot!(sensor("<framepos objtype='site' objname='s1' reftype='camera' refname='c9'/>"), @"m.xml:3:64: no camera is named 'c9'; did you mean 'c1'?");
+    assert_snapshot!(sensor("<user dim='1' objtype='key' objname='home'/>"), @"m.xml:3:37: no key is named 'home'");
+    assert_snapshot!(sensor("<actuatorpos actuator='m'/>"), @"m.xml:3:22: no actuator is named 'm'");
+}
+
+/// What MuJoCo takes: the world, copies by their first names, what no copy is left of, and empty texts.
+#[test]
+fn what_is_named_may_be_many_or_none() {
+    let sections = "<actuator><motor name='m' joint='hip'/><motor joint='hip-01'/><motor joint='hip-1'/><motor joint='spare'/></actuator>
+        <tendon><fixed name='t'><joint joint='j1' coef='1'/></fixed></tendon>
+        <equality><joint joint1='j1' joint2=''/><tendon tendon1='t'/></equality>
+        <contact><exclude body1='world' body2='leg'/><pair geom1='toe-11' geom2='g1'/></contact>
+        <sensor><framepos objtype='site' objname='s1'/><user dim='1'/><actuatorpos actuator='m'/><tendonpos tendon='t'/></sensor>";
+    assert_eq!(named(sections), Ok(()));
+}
+
+/// Among one kind every name is borne once.
+#[test]
+fn names_that_are_borne_twice() {
+    assert_snapshot!(world("<geom name='g' size='.1'/>\n<geom name='g' size='.1'/>"), @"m.xml:3:1: a second geom is named 'g'; the first is at 2:12");
+    assert_snapshot!(world("<site name='s'/><body><site name='s'/></body>"), @"m.xml:2:34: a second site is named 's'; the first is at 2:12");
+    assert_snapshot!(world("<camera name='c'/><camera name='c'/>"), @"m.xml:2:30: a second camera is named 'c'; the first is at 2:12");
+    assert_snapshot!(world("<frame name='f'/><frame name='f'/>"), @"m.xml:2:29: a second frame is named 'f'; the first is at 2:12");
+    assert_snapshot!(world("<body name='world'/>"), @"m.xml:2:12: a second body is named 'world'; the first is at 1:1");
+    assert_snapshot!(world("<geom name='g0' size='.1'/><replicate count='2'><geom name='g' size='.1'/></replicate>"), @"m.xml:2:60: a second geom is named 'g0'; the first is at 2:12");
+    assert_snapshot!(fault("<keyframe><key name='k'/>\n<key name='k'/></keyframe>"), @"m.xml:3:1: a second key is named 'k'; the first is at 2:11");
+    assert_snapshot!(named("<actuator><motor name='m' joint='j1'/><general name='m' joint='j2'/></actuator>").unwrap_err(), @"m.xml:3:39: a second actuator is named 'm'; the first is at 3:11");
+    assert_snapshot!(named("<equality><weld name='e' body1='b1'/><joint name='e' joint1='j1'/></equality>").unwrap_err(), @"m.xml:3:38: a second equality is named 'e'; the first is at 3:11");
+    assert_snapshot!(named("<contact><exclude name='x' body1='b1' body2='b2'/><exclude name='x' body1='b1' body2='b3'/></contact>").unwrap_err(), @"m.xml:3:51: a second exclude is named 'x'; the first is at 3:10");
+    assert_snapshot!(fault("<asset><hfield name='h'/>\n<hfield name='h'/></asset>"), @"m.xml:3:1: a second hfield is named 'h'; the first is at 2:8");
+    let apart = "<body name='x'><joint name='x'/><geom name='x' size='.1'/><site name='x'/><light name='x'/><camera name='x'/></body><geom name='' size='.1'/><geom name='' size='.1'/>";
+    let text = format!(
+        "<mujoco><worldbody>{apart}</worldbody><contact><pair name='y'/><exclude name='y' body1='x' body2='x'/></contact></mujoco>"
+    );
+    assert!(read_mjcf_str(&text, "m.xml", &MjcfOptions::default()).is_ok());
 }
 
 #[test]

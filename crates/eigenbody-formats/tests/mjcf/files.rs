@@ -1,8 +1,10 @@
 //! What takes several files: includes, meshes, attached models.
 
+use super::loaded;
 use crate::folder::Folder;
 use eigenbody::mass_matrix;
 use insta::assert_snapshot;
+use std::path::PathBuf;
 
 const BALL: &str = "<body name='b'><joint name='j' axis='0 1 0'/><geom size='.1' pos='1 0 0'/></body>";
 
@@ -118,4 +120,42 @@ fn a_model_is_attached_with_a_prefix() {
     let all = base + arm + ball(0.1) * (0.004 + 1.0);
     assert_eq!(names, "turn right_j");
     assert!((H - all).abs() < 20.0 * f64::EPSILON * all, "{H} {all}");
+}
+
+/// A model comes from what it includes and attaches, and from the meshes and height fields that it names, used or not.
+#[test]
+fn its_files_are_known() {
+    let folder = Folder::new();
+    let mesh = "<asset><mesh file='m.stl'/><hfield name='h' file='h.png' size='1 1 1 1'/></asset>";
+    folder.file("part.xml", "<mujocoinclude/>".replace("/>", "><body name='p'/></mujocoinclude>"));
+    folder.file("arm/arm.xml", "<mujoco><asset><mesh file='a.obj'/></asset></mujoco>");
+    folder.file("meshes/m.stl", "");
+    let found = folder.load(&format!(
+        "<mujoco><compiler meshdir='meshes'/>{mesh}<asset><model name='arm' file='arm/arm.xml'/></asset>
+         <worldbody><include file='part.xml'/></worldbody></mujoco>"
+    ));
+    let names = ["main.xml", "part.xml", "arm/arm.xml", "meshes/m.stl", "meshes/h.png", "arm/a.obj"];
+    assert_eq!(found.files(), names.map(|name| folder.path(name)));
+    assert_eq!(loaded("<mujoco/>").files(), [PathBuf::from("test.xml")]);
+}
+
+/// An attached model's sections are there as far as what they name is: the rest of them may name what was left behind.
+#[test]
+fn what_was_not_attached_may_be_named() {
+    let folder = Folder::new();
+    let parts = "<body name='a'><joint name='j'/><geom size='.1'/></body><body name='c'><joint name='k'/><geom size='.1'/></body>";
+    let rest = "<actuator><motor name='m' joint='j'/><motor joint='k'/></actuator><tendon><fixed name='t'><joint joint='j' coef='1'/></fixed></tendon>";
+    folder.file("child.xml", format!("<mujoco><worldbody>{parts}</worldbody>{rest}</mujoco>"));
+    let main = |sections: &str| {
+        format!(
+            "<mujoco><asset><model name='child' file='child.xml'/></asset>\n<worldbody><attach model='child' body='a' prefix='p_'/></worldbody>\n{sections}</mujoco>"
+        )
+    };
+    let found = folder.load(&main(
+        "<actuator><motor tendon='p_t'/></actuator><sensor><actuatorpos actuator='p_m'/></sensor>",
+    ));
+    assert_eq!(found.model.nv(), 1);
+    assert_snapshot!(folder.fault(&main("<actuator><motor joint='p_k'/></actuator>")), @"main.xml:3:18: no joint is named 'p_k'; did you mean 'p_j'?");
+    folder.file("child.xml", "<mujoco><tendon><fixed name='t'/><fixed name='t'/></tendon></mujoco>");
+    assert_snapshot!(folder.fault(&main("")), @"child.xml:1:34: a second tendon is named 't'; the first is at 1:17");
 }

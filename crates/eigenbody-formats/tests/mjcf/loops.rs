@@ -53,10 +53,12 @@ fn given_poses_hold() {
 }
 
 #[test]
-fn what_it_is_fastened_to_must_be_there() {
-    let bodies = format!("<body name='a'><joint/>{BALL}</body>");
-    let found = with(&bodies, "<connect name='c' body1='a' body2='nobody' anchor='0 0 0'/>");
-    let message = "m.xml: connect 'c' cannot be closed: an end of it names no body or site of the model";
+fn what_it_is_fastened_to_must_be_one() {
+    let bodies = format!(
+        "<body name='a'><joint/>{BALL}</body><replicate count='2'><body name='b'><joint/>{BALL}</body></replicate>"
+    );
+    let found = with(&bodies, "<connect name='c' body1='a' body2='b' anchor='0 0 0'/>");
+    let message = "m.xml: connect 'c' cannot be closed: an end of it names not one body or site of the model";
     assert_eq!(found.closures().unwrap_err().to_string(), message);
     assert_eq!(world(&bodies).closures().unwrap(), []);
 }

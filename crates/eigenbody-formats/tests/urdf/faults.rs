@@ -92,6 +92,7 @@ fn numbers_that_are_none() {
     assert_snapshot!(inertial(&format!("<mass value='heavy'/>{INERTIA}")), @"r.urdf:2:32: 'value' of <mass> holds 'heavy', expected a finite number");
     assert_snapshot!(inertial(&format!("<mass value=''/>{INERTIA}")), @"r.urdf:2:32: 'value' of <mass> holds 0 numbers, expected 1");
     assert_snapshot!(inertial(&format!("<mass value='1 2'/>{INERTIA}")), @"r.urdf:2:32: 'value' of <mass> holds 2 numbers, expected 1");
+    assert_snapshot!(joint("revolute", "<origin xyz='0'/>"), @"r.urdf:2:108: 'xyz' of <origin> holds 1 number, expected 3");
     assert_snapshot!(joint("revolute", "<origin xyz='0 0'/>"), @"r.urdf:2:108: 'xyz' of <origin> holds 2 numbers, expected 3");
     assert_snapshot!(joint("revolute", "<origin xyz='0 0 0 0'/>"), @"r.urdf:2:108: 'xyz' of <origin> holds 4 numbers, expected 3");
     assert_snapshot!(joint("revolute", "<origin xyz='0 0,5 0'/>"), @"r.urdf:2:108: 'xyz' of <origin> holds '0,5', expected a finite number");

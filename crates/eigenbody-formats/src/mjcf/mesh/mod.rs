@@ -9,6 +9,7 @@ mod stl;
 
 pub(super) use inertia::{Enclosed, Mode, enclosed};
 
+use crate::error::counted;
 use thiserror::Error;
 
 /// Most triangles of one mesh.
@@ -24,13 +25,13 @@ pub enum MeshFault {
     Kind { file: String },
     #[error("file '{file}' is an STL file of text, expected a binary one")]
     TextStl { file: String },
-    #[error("file '{file}' holds {found} bytes, expected {expected}")]
+    #[error("file '{file}' holds {}, expected {expected}", counted(*found, "byte", "bytes"))]
     Size { file: String, found: usize, expected: String },
     #[error("file '{file}': {problem}")]
     Malformed { file: String, problem: String },
     #[error("file '{file}', line {line}: {problem}")]
     Obj { file: String, line: usize, problem: &'static str },
-    #[error("{found} vertices, expected at least 4")]
+    #[error("{}, expected at least 4", counted(*found, "vertex", "vertices"))]
     FewVertices { found: usize },
     #[error("face {face} names vertex {vertex} of {count}")]
     NoVertex { face: usize, vertex: i64, count: usize },
