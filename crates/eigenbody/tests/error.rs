@@ -206,6 +206,28 @@ fn robots_beyond_the_range_have_no_spectrum() {
     assert_eq!(tracker.update(&far).map(|_| ()), overflow);
 }
 
+/// Eigenvalues of 1e300 are numbers; what the error of their modes is estimated from is none.
+#[test]
+fn modes_beyond_the_range_are_refused() {
+    let mut robot = ModelBuilder::new("heavy arm");
+    let moments = Sym3::diagonal(1.0e300, 1.1e300, 1.3e300);
+    let inertia = RigidInertia::from_com(1e300, Vec3::new(0.3, 0.1, 0.2), moments);
+    let mut parent = robot.link("base", RigidInertia::ZERO);
+    for j in 0..3 {
+        let link = robot.link(format!("link_{j}"), inertia);
+        let joint = JointSpec::new(format!("joint_{j}"), Joint::Revolute, parent, link);
+        let placement = Transform::translation(Vec3::new(1.0, 0.2, 0.0));
+        robot.joint(joint.at(placement).about(Vec3::new(0.3, 0.5, 0.8)));
+        parent = link;
+    }
+    let model = robot.build(Base::Fixed).unwrap();
+    let question = Question { method: Method::Sturm, ..Question::default() };
+    assert_eq!(
+        conditioning_at(&model, &[0.3; 3], &question).map(|_| ()),
+        Err(InputError::Overflow { what: "a mode" }.into())
+    );
+}
+
 /// Eigenvalues 0 and 2.4e308 of a matrix of finite entries.
 #[test]
 fn eigenvalues_beyond_the_range_are_refused() {
