@@ -19,7 +19,7 @@ use eigenbody::model::JointInfo;
 /// Errors: [`FormatError::Expression`], also for a gain below zero.
 pub fn gains(text: &str, model: &Model<f64>) -> Result<Vec<Option<f64>>, FormatError> {
     let mut reader = Reader::new(text);
-    let base = if model.has_floating_base() { 6 } else { 0 };
+    let base = model.base_dofs();
     let mut all = vec![None; model.nv()];
     if !text.contains('=') {
         let value = gain(&mut reader)?;

@@ -118,7 +118,11 @@ fn raise(py: Python<'_>, failure: Failure) -> PyResult<PyErr> {
             let class = match &source {
                 Error::Input(error) => {
                     match error {
-                        InputError::Length { what, .. } => details.set_item("what", what)?,
+                        InputError::Length { what, .. }
+                        | InputError::OtherModel { what }
+                        | InputError::Overflow { what } => {
+                            details.set_item("what", what)?;
+                        }
                         InputError::NotFinite { what, index }
                         | InputError::NotPositive { what, index, .. }
                         | InputError::Negative { what, index, .. } => {

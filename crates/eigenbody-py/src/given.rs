@@ -83,7 +83,7 @@ impl Gains<'_> {
     /// One for each degree of freedom, none where nothing is said.
     pub fn read(&self, what: &str, shared: &Shared) -> Result<Vec<Option<f64>>, Failure> {
         let model = &shared.robot.model;
-        let base = if model.has_floating_base() { 6 } else { 0 };
+        let base = model.base_dofs();
         let mut all = vec![None; model.nv()];
         match self {
             Self::Text(text) => return Ok(gains(text, model)?),

@@ -16,6 +16,18 @@ pub enum InputError {
         /// Length that was given.
         found: usize,
     },
+    /// Room or factors of one model, given with another.
+    #[error("{what} was made for a model with other bodies or joints")]
+    OtherModel {
+        /// Name of the argument.
+        what: &'static str,
+    },
+    /// What follows from finite numbers is none: it is beyond the range of the scalar.
+    #[error("{what} is beyond the range of floating-point numbers")]
+    Overflow {
+        /// What was to be computed, in the words of NOTATION.md.
+        what: &'static str,
+    },
     /// A NaN or an infinity.
     #[error("{what}[{index}] is not a finite number")]
     NotFinite {
@@ -166,4 +178,10 @@ pub enum Error {
     /// Whoever was told of the progress wanted no more of it.
     #[error("interrupted")]
     Interrupted,
+}
+
+/// Refuses a length that is not the expected one.
+#[inline]
+pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), InputError> {
+    if found == expected { Ok(()) } else { Err(InputError::Length { what, expected, found }) }
 }

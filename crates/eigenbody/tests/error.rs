@@ -1,6 +1,7 @@
 //! Inputs that do not fit, at every door.
 
 use crate::robots::{Case, cases};
+use eigenbody::conditioning::{Method, Question, conditioning, conditioning_at, count_below};
 use eigenbody::dynamics::{
     AbaWorkspace, CrbaWorkspace, RneaWorkspace, bias_force_into, energy, forward_dynamics_into,
     gravity_force_into, inverse_dynamics_into, link_pose, mass_matrix_into, momentum,
@@ -9,6 +10,7 @@ use eigenbody::error::{Error, InputError, NotPositiveDefinite};
 use eigenbody::factor::{Ltdl, Ltl};
 use eigenbody::model::{DENSE_LIMIT, JointSpec};
 use eigenbody::spatial::{RigidInertia, Sym3, Transform, Vec3};
+use eigenbody::spectrum::{Metric, Tracker, eigen, eigenvalues, extreme_eigenvalues};
 use eigenbody::{Base, Family, Joint, Matrix, Model, ModelBuilder};
 use eigenbody::{bias_force, floating_mass_matrix, forward_dynamics, inverse_dynamics, mass_matrix};
 
@@ -170,4 +172,80 @@ fn dense_matrices_have_a_limit() {
     assert_eq!(floating_mass_matrix(&floating, &floating.neutral()), Err(Error::Input(refused)));
     let least = Family::hydra(nv - 1, 2.0, 0.0, 1.0).unwrap().model::<f64>().unwrap();
     assert_eq!(least.check_dense(), Ok(()));
+}
+
+/// A slide on a hinge, at right angles: H₁₁ = 1 + q², of which nothing is left in f64 where q = 1e200.
+fn crane() -> Model<f64> {
+    let mut robot = ModelBuilder::new("crane");
+    let inertia = RigidInertia::from_com(1.0, Vec3::ZERO, Sym3::diagonal(0.5, 0.5, 0.5));
+    let [base, mast, trolley] = ["base", "mast", "trolley"].map(|name| robot.link(name, inertia));
+    robot.joint(JointSpec::new("slew", Joint::Revolute, base, mast).about(Vec3::Z));
+    robot.joint(JointSpec::new("slide", Joint::Prismatic, mast, trolley).about(Vec3::X));
+    robot.build(Base::Fixed).unwrap()
+}
+
+#[test]
+fn robots_beyond_the_range_have_no_spectrum() {
+    let (model, near, far) = (crane(), [0.0, 1.0], [0.0, 1e200]);
+    assert!(!mass_matrix(&model, &far).unwrap()[(0, 0)].is_finite());
+    let ask = |method| Question { method, ..Question::default() };
+    let of = |method| conditioning_at(&model, &far, &ask(method)).map(|_| ());
+    let overflow = Err(Error::Input(InputError::Overflow { what: "H" }));
+    assert_eq!(of(Method::Sturm), overflow);
+    assert_eq!(of(Method::Dense), Err(InputError::NotFinite { what: "H", index: 0 }.into()));
+    assert_eq!(of(Method::Auto), Err(InputError::NotFinite { what: "H", index: 0 }.into()));
+    assert_eq!(count_below(&model, &far, &Question::default(), 1.0).map(|_| ()), overflow);
+    let refused = forward_dynamics(&model, &far, &[0.0; 2], &[0.0; 2]);
+    assert!(
+        matches!(refused, Err(Error::NotPositiveDefinite(NotPositiveDefinite { dof: 0, pivot })) if !pivot.is_finite()),
+        "{refused:?}"
+    );
+    let overflow = Err(InputError::Overflow { what: "an eigenvalue" });
+    assert_eq!(Tracker::new(&model, &far, &Metric::Euclidean, false).map(|_| ()), overflow);
+    let mut tracker = Tracker::new(&model, &near, &Metric::Euclidean, false).unwrap();
+    assert_eq!(tracker.update(&far).map(|_| ()), overflow);
+}
+
+/// Eigenvalues of 1e300 are numbers; what the error of their modes is estimated from is none.
+#[test]
+fn modes_beyond_the_range_are_refused() {
+    let mut robot = ModelBuilder::new("heavy arm");
+    let moments = Sym3::diagonal(1.0e300, 1.1e300, 1.3e300);
+    let inertia = RigidInertia::from_com(1e300, Vec3::new(0.3, 0.1, 0.2), moments);
+    let mut parent = robot.link("base", RigidInertia::ZERO);
+    for j in 0..3 {
+        let link = robot.link(format!("link_{j}"), inertia);
+        let joint = JointSpec::new(format!("joint_{j}"), Joint::Revolute, parent, link);
+        let placement = Transform::translation(Vec3::new(1.0, 0.2, 0.0));
+        robot.joint(joint.at(placement).about(Vec3::new(0.3, 0.5, 0.8)));
+        parent = link;
+    }
+    let model = robot.build(Base::Fixed).unwrap();
+    let question = Question { method: Method::Sturm, ..Question::default() };
+    assert_eq!(
+        conditioning_at(&model, &[0.3; 3], &question).map(|_| ()),
+        Err(InputError::Overflow { what: "a mode" }.into())
+    );
+}
+
+/// Eigenvalues 0 and 2.4e308 of a matrix of finite entries.
+#[test]
+fn eigenvalues_beyond_the_range_are_refused() {
+    let H = Matrix::from_fn(2, 2, |_, _| 1.2e308);
+    let overflow = InputError::Overflow { what: "an eigenvalue" };
+    assert_eq!(eigenvalues(&H, &[1.0; 2]), Err(overflow.clone().into()));
+    assert_eq!(eigen(&H, &[1.0; 2]).map(|_| ()), Err(overflow.clone().into()));
+    assert_eq!(conditioning(&H, &[1.0; 2]).map(|_| ()), Err(overflow.clone().into()));
+    assert_eq!(extreme_eigenvalues(&H, &[1.0; 2]), Err(InputError::Overflow { what: "λmax" }));
+    assert_eq!(overflow.to_string(), "an eigenvalue is beyond the range of floating-point numbers");
+}
+
+#[test]
+fn ratios_beyond_the_range_are_left_out() {
+    let H = Matrix::from_fn(2, 2, |i, j| if i != j { 0.0 } else { [1e-200, 1e200][i] });
+    let verdict = conditioning(&H, &[1.0; 2]).unwrap();
+    assert_eq!((verdict.lambda_max, verdict.kappa_weighted), (Some(1e200), Some(1.0)));
+    assert_eq!((verdict.lambda_min, verdict.kappa), (None, None));
+    assert_eq!((verdict.diagonal_ratio, verdict.bracket), (None, None));
+    assert_eq!(verdict.notes[1], "r is beyond the range of floating-point numbers");
 }

@@ -166,7 +166,7 @@ fn in_both_norms<T: Real>(x: Option<Vec<T>>, exact: &[Dd], own: &[f64]) -> [f64;
 pub fn effort(subject: &Subject) -> Result<Effort, StudyError> {
     let Subject { name, group, model } = subject;
     let q = model.random(3);
-    let base = if model.has_floating_base() { 6 } else { 0 };
+    let base = model.base_dofs();
     let mut random = Random::new(17);
     let v: Vec<f64> =
         (0..model.nv()).map(|d| if d < base { 0.0 } else { random.between(-2.0, 2.0) }).collect();

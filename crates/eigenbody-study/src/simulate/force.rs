@@ -32,7 +32,7 @@ impl Controller {
         target.rows().iter().try_for_each(|q| model.check_q(q))?;
         let H = mass_matrix(model, &target.rows()[0])?;
         let omega = std::f64::consts::TAU * frequency_hz;
-        let base = if model.has_floating_base() { 6 } else { 0 };
+        let base = model.base_dofs();
         let inertia = |d: usize| if d < base { 0.0 } else { H[(d, d)] };
         let kp = (0..model.nv()).map(|d| omega * omega * inertia(d)).collect();
         let kd = (0..model.nv()).map(|d| 2.0 * damping_ratio * omega * inertia(d)).collect();
@@ -55,7 +55,7 @@ pub struct Forces {
 
 /// The same spring and damper on every degree of freedom but those of a floating base.
 pub fn joint_springs(model: &Model<f64>, stiffness: f64, damping: f64) -> Vec<Spring> {
-    let base = if model.has_floating_base() { 6 } else { 0 };
+    let base = model.base_dofs();
     let spring = |d| {
         let (name, arms) = (model.dof_name(d), vec![(d, 1.0)]);
         Spring { name, source: SpringSource::Joint, arms, stiffness, damping }

@@ -18,7 +18,7 @@ mod turn;
 
 use crate::conditioning::Values;
 use crate::dynamics::{AbaWorkspace, RneaWorkspace};
-use crate::error::{Error, InputError};
+use crate::error::{Error, InputError, check_length};
 use crate::model::{Model, check};
 use crate::scalar::{Batched, MOST_LANES, Unit};
 use crate::spectrum::Metric;
@@ -317,10 +317,7 @@ impl<'m, T: Lanes> Batch<'m, T> {
 }
 
 fn length(what: &'static str, found: usize, expected: usize) -> Result<(), BatchError> {
-    match found == expected {
-        true => Ok(()),
-        false => Err(BatchError::Shape(InputError::Length { what, expected, found })),
-    }
+    check_length(what, found, expected).map_err(BatchError::Shape)
 }
 
 /// Numbers that a batch may be of: f32 and f64. The kernels are compiled here, once, not again by each crate that calls them.

@@ -1,12 +1,12 @@
 //! The verdict on a robot in a configuration, by whichever method suits it.
 
-use super::{Conditioning, Method, bracket, conditioning, diagonal_ratio, ratio};
+use super::{Conditioning, Method, bracket, conditioning, diagonal_ratio, in_range, ratio};
 use crate::dynamics::Reduction;
 use crate::error::{Error, InputError};
 use crate::model::Model;
 use crate::scalar::LANES;
 use crate::spectrum::sturm::{Pencil, counts};
-use crate::spectrum::{Extremes, Metric, Precision, extreme_values, extremes_from, slice};
+use crate::spectrum::{Extremes, Metric, Precision, check_range, extreme_values, extremes_from, slice};
 
 /// Up to so many degrees of freedom the dense method is the faster one.
 const CROSSOVER: usize = 32;
@@ -50,7 +50,7 @@ impl Default for Question {
 /// Numerics: `error_estimate` of the result.
 ///
 /// Errors: [`InputError`] if q or the metric does not fit, a floating base is missing, or the method does not suit the robot;
-/// otherwise as [`conditioning`].
+/// [`InputError::Overflow`] if H or λmax is beyond the range of f64; otherwise as [`conditioning`].
 ///
 /// ```
 /// use eigenbody::{Family, Question, conditioning_at};
@@ -130,10 +130,10 @@ fn sturm(model: &Model<f64>, q: &[f64], question: &Question) -> Result<Condition
     Ok(Conditioning {
         lambda_min,
         lambda_max: Some(max.value),
-        kappa: ratio(Some(max.value), lambda_min),
+        kappa: in_range("κ", ratio(Some(max.value), lambda_min), &mut notes),
         kappa_weighted,
         diagonal_ratio,
-        bracket: bracket(diagonal_ratio, kappa_weighted),
+        bracket: bracket(diagonal_ratio, kappa_weighted, &mut notes),
         error_estimate: [min.as_ref().map(|min| min.error_estimate), Some(max.error_estimate)],
         softest: min.map(|min| pick(&min.vector)),
         stiffest: Some(pick(&max.vector)),
@@ -161,6 +161,7 @@ fn tree<'m>(model: &'m Model<f64>, q: &[f64], question: &Question) -> Result<Tre
     }
     let pencil = Pencil::euclidean(model, q, question.reduction.base)?;
     let own = pencil.diagonal();
+    check_range(&own)?;
     let B = pencil.weights(&question.metric, &own)?;
     let weights = B[pencil.removed()..].to_vec();
     Ok(Tree { pencil: pencil.with_metric(B)?, dofs: question.reduction.dofs(model), weights, own })
@@ -170,7 +171,8 @@ fn tree<'m>(model: &'m Model<f64>, q: &[f64], question: &Question) -> Result<Tre
 ///
 /// Method, metric and reduction as in [`conditioning_at`]; always by the Sturm engine.
 ///
-/// Errors: [`InputError`] if q or the metric does not fit, σ is not finite in the metric, or mimic joints break the tree.
+/// Errors: [`InputError`] if q or the metric does not fit, σ is not finite in the metric, mimic joints break the tree, or H is
+/// beyond the range of f64.
 ///
 /// ```
 /// use eigenbody::{Family, Question, count_below};

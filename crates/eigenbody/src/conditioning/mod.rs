@@ -100,10 +100,10 @@ pub fn conditioning<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Conditionin
     Ok(Conditioning {
         lambda_min,
         lambda_max,
-        kappa: ratio(lambda_max, lambda_min),
+        kappa: in_range("κ", ratio(lambda_max, lambda_min), &mut notes),
         kappa_weighted,
         diagonal_ratio,
-        bracket: bracket(diagonal_ratio, kappa_weighted),
+        bracket: bracket(diagonal_ratio, kappa_weighted, &mut notes),
         error_estimate: [relative(lambda_min), relative(lambda_max)],
         softest: (n > 0).then(|| vectors.row(0).to_vec()),
         stiffest: n.checked_sub(1).map(|last| vectors.row(last).to_vec()),
@@ -127,11 +127,26 @@ fn diagonal_ratio<T: Real>(diagonal: &[T], weights: &[T], notes: &mut Vec<String
         ));
         return (None, true);
     }
-    (ratio(largest, smallest), scaled.is_empty())
+    (in_range("r", ratio(largest, smallest), notes), scaled.is_empty())
 }
 
-fn bracket<T: Real>(diagonal_ratio: Option<T>, kappa_weighted: Option<T>) -> Option<(T, T)> {
-    diagonal_ratio.zip(kappa_weighted).map(|(r, weighted)| (r, r * weighted))
+fn bracket<T: Real>(
+    diagonal_ratio: Option<T>,
+    kappa_weighted: Option<T>,
+    notes: &mut Vec<String>,
+) -> Option<(T, T)> {
+    let (r, weighted) = diagonal_ratio.zip(kappa_weighted)?;
+    Some((r, in_range("r κ′", Some(r * weighted), notes)?))
+}
+
+/// A quotient of finite numbers, unless it is beyond the range of T itself.
+fn in_range<T: Real>(name: &str, value: Option<T>, notes: &mut Vec<String>) -> Option<T> {
+    let value = value?;
+    if !value.is_finite() {
+        notes.push(format!("{name} is beyond the range of floating-point numbers"));
+        return None;
+    }
+    Some(value)
 }
 
 /// First and last of ascending eigenvalues; the first only if it stands clear of rounding.

@@ -14,9 +14,9 @@
 //! Cholesky-type elimination of H from the tips inwards.
 
 use super::posture::{Posture, position, slide};
-use super::rnea::{RneaWorkspace, check_out, forces};
+use super::rnea::{RneaWorkspace, forces};
 use super::rooted;
-use crate::error::{Error, NotPositiveDefinite};
+use crate::error::{Error, NotPositiveDefinite, check_length};
 use crate::joint::Column;
 use crate::model::{Model, MotionKind, with_turn, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
@@ -77,7 +77,8 @@ impl<T> AbaWorkspace<T> {
 /// | v̇ (returned) | `nv` | rad/s², m/s² |
 ///
 /// Method: articulated bodies, Featherstone (2008) table 7.1. O(N); allocates. Numerics: error governed by κ′, the
-/// conditioning with each joint in units of its own inertia.
+/// conditioning with each joint in units of its own inertia. Hinge inertias are looked at, v̇ is not: what overflows on the way to it is
+/// infinite or NaN, as IEEE 754 has it.
 ///
 /// Errors: [`InputError`](crate::InputError) as [`inverse_dynamics`](super::inverse_dynamics); [`NotPositiveDefinite`] with the
 /// DoF if a hinge inertia is not positive.
@@ -99,7 +100,8 @@ pub fn forward_dynamics<T: Real>(model: &Model<T>, q: &[T], v: &[T], tau: &[T]) 
 
 /// [`forward_dynamics`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`forward_dynamics`], and if `vdot` has the wrong length. After [`NotPositiveDefinite`] `vdot` holds no result.
+/// Errors: as [`forward_dynamics`], if `vdot` has the wrong length, and [`InputError::OtherModel`](crate::InputError::OtherModel) for the
+/// workspace. After [`NotPositiveDefinite`] `vdot` holds no result.
 pub fn forward_dynamics_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -108,10 +110,11 @@ pub fn forward_dynamics_into<T: Real>(
     workspace: &mut AbaWorkspace<T>,
     vdot: &mut [T],
 ) -> Result<(), Error> {
+    model.check_shape("workspace", workspace.bias.shape)?;
     model.check_q(q)?;
     model.check_v("v", v)?;
     model.check_v("tau", tau)?;
-    check_out("vdot", vdot.len(), model.nv())?;
+    check_length("vdot", vdot.len(), model.nv())?;
     dispatch_one(Aba { model, q, v, tau, workspace: &mut *workspace, vdot });
     // Checked from the tips inwards, in the order of elimination: the first bad pivot is the one to name.
     match model.dofs.order().rev().find(|&d| !(workspace.D[d] > T::ZERO && workspace.D[d].is_finite())) {

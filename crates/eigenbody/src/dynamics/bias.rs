@@ -4,8 +4,8 @@
 //! C(q, v) = τ of RNEA at v̇ = 0          g(q) = C(q, 0)
 //! ```
 
-use super::rnea::{Rnea, RneaWorkspace, check_out};
-use crate::error::InputError;
+use super::rnea::{Rnea, RneaWorkspace};
+use crate::error::{InputError, check_length};
 use crate::model::Model;
 use crate::scalar::{Real, dispatch_one};
 
@@ -17,7 +17,7 @@ use crate::scalar::{Real, dispatch_one};
 /// | `v` | `nv` | rad/s, m/s |
 /// | C (returned) | `nv` | N m, N |
 ///
-/// Method: RNEA at v̇ = 0, O(N); allocates. Errors: as [`inverse_dynamics`](super::inverse_dynamics).
+/// Method: RNEA at v̇ = 0, O(N); allocates. Numerics and errors: as [`inverse_dynamics`](super::inverse_dynamics).
 ///
 /// ```
 /// use eigenbody::{Family, bias_force, dynamics::gravity_force};
@@ -34,7 +34,7 @@ pub fn bias_force<T: Real>(model: &Model<T>, q: &[T], v: &[T]) -> Result<Vec<T>,
 
 /// [`bias_force`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`bias_force`], and if `C` has the wrong length.
+/// Errors: as [`bias_force`], if `C` has the wrong length, and [`InputError::OtherModel`] for the workspace.
 pub fn bias_force_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -59,7 +59,7 @@ pub fn gravity_force<T: Real>(model: &Model<T>, q: &[T]) -> Result<Vec<T>, Input
 
 /// [`gravity_force`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`gravity_force`], and if `g` has the wrong length.
+/// Errors: as [`gravity_force`], if `g` has the wrong length, and [`InputError::OtherModel`] for the workspace.
 pub fn gravity_force_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -80,9 +80,10 @@ fn bias_force_at<T: Real>(
     workspace: &mut RneaWorkspace<T>,
     C: &mut [T],
 ) -> Result<(), InputError> {
+    model.check_shape("workspace", workspace.shape)?;
     model.check_q(q)?;
     model.check_v("v", v)?;
-    check_out("C", C.len(), model.nv())?;
+    check_length("C", C.len(), model.nv())?;
     dispatch_one(Rnea { model, q, v, vdot: zeros, workspace, tau: C });
     Ok(())
 }

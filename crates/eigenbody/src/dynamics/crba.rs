@@ -11,11 +11,10 @@
 //! room for them side by side. Cost O(N·depth). Inertias are carried as moments of mass.
 
 use super::posture::{Posture, position, slide};
-use super::rnea::check_out;
 use super::rooted;
-use crate::error::InputError;
+use crate::error::{InputError, check_length};
 use crate::matrix::{Matrix, Rows};
-use crate::model::{EMPTY, Mechanism, Member, Model, MotionKind, with_twist};
+use crate::model::{EMPTY, Mechanism, Member, Model, MotionKind, Shape, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, Unit, dispatch_one};
 use crate::spatial::{Force, Motion, Placed, PseudoInertia, Rotation, Straight, ThenZ, Vec3};
 use std::ops::Range;
@@ -26,6 +25,7 @@ const ROWS: usize = 7;
 /// Room for [`mass_matrix_into`].
 #[derive(Debug, Clone)]
 pub struct CrbaWorkspace<T> {
+    pub(crate) shape: Shape,
     posture: Posture<T>,
     /// By level: inertia of all that a body carries, frozen. Written and read by the sweep.
     Ic: Vec<PseudoInertia<T>>,
@@ -39,6 +39,7 @@ impl<T: Scalar> CrbaWorkspace<T> {
     /// Room for a model.
     pub fn new(model: &Model<T::Constant>) -> Self {
         Self {
+            shape: model.shape,
             posture: Posture::new(model.mechanism()),
             Ic: vec![PseudoInertia::ZERO; model.mechanism().depth + 1],
             F: [0; ROWS].map(|_| vec![T::ZERO; model.mechanism().slots.len()]),
@@ -58,7 +59,8 @@ impl<T: Scalar> CrbaWorkspace<T> {
 /// | H (returned) | `nv` × `nv`, both triangles | kg m², kg m, kg |
 ///
 /// Method: composite rigid bodies, Featherstone (2008) table 6.2. O(N·depth); allocates. Entries between DoFs on
-/// different branches are exactly zero. Numerics: every entry to a few ε of √(H_dd H_ee).
+/// different branches are exactly zero. Numerics: every entry to a few ε of √(H_dd H_ee). What overflows is
+/// infinite or NaN, as IEEE 754 has it.
 ///
 /// Errors: [`InputError`] if q does not fit the model, or nv exceeds [`DENSE_LIMIT`](crate::model::DENSE_LIMIT).
 ///
@@ -80,7 +82,7 @@ pub fn mass_matrix<T: Real>(model: &Model<T>, q: &[T]) -> Result<Matrix<T>, Inpu
 
 /// [`mass_matrix`] into the caller's memory; allocates nothing.
 ///
-/// Errors: [`InputError`] if q does not fit the model, or `H` is not nv × nv.
+/// Errors: [`InputError`] if q does not fit the model, or `H` is not nv × nv; [`InputError::OtherModel`] for the workspace.
 pub fn mass_matrix_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -123,9 +125,10 @@ fn triangles<T: Real>(
     H: &mut Matrix<T>,
     both: bool,
 ) -> Result<(), InputError> {
+    model.check_shape("workspace", workspace.shape)?;
     model.check_q(q)?;
-    check_out("rows of H", H.rows(), model.nv())?;
-    check_out("columns of H", H.cols(), model.nv())?;
+    check_length("rows of H", H.rows(), model.nv())?;
+    check_length("columns of H", H.cols(), model.nv())?;
     dispatch_one(Crba { model, q, workspace, H: H.as_rows(), both });
     Ok(())
 }

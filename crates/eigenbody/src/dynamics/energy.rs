@@ -42,7 +42,7 @@ pub fn energy<T: Real>(model: &Model<T>, q: &[T], v: &[T]) -> Result<Energy<T>, 
 
 /// [`energy`] with the caller's workspace; allocates nothing.
 ///
-/// Errors: as [`energy`].
+/// Errors: as [`energy`], and [`InputError::OtherModel`] for the workspace.
 pub fn energy_into<T: Real>(
     model: &Model<T>,
     q: &[T],

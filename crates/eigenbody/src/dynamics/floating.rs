@@ -9,10 +9,9 @@
 use super::kinematics::Kinematics;
 use super::plain::crba;
 use super::reroot::Rerooted;
-use super::rnea::check_out;
-use crate::error::{Error, InputError, NotPositiveDefinite};
+use crate::error::{Error, InputError, NotPositiveDefinite, check_length};
 use crate::matrix::Matrix;
-use crate::model::{Coupling, Model};
+use crate::model::{Coupling, Model, Shape};
 use crate::scalar::Real;
 use crate::spatial::RigidInertia;
 
@@ -20,8 +19,12 @@ use crate::spatial::RigidInertia;
 pub(crate) const BASE: usize = 6;
 
 /// Room for [`floating_mass_matrix_into`].
+///
+/// It serves models with other inertias too, but keeps the central body of its own: rounding is then that of the whole robot's
+/// inertia about that body.
 #[derive(Debug, Clone)]
 pub struct FloatingWorkspace<T> {
+    shape: Shape,
     /// The tree at q as the model has it, and as seen from the central body.
     kinematics: Kinematics<T>,
     tree: Rerooted<T>,
@@ -41,6 +44,7 @@ impl<T: Real> FloatingWorkspace<T> {
         }
         model.check_dense()?;
         Ok(Self {
+            shape: model.shape,
             kinematics: Kinematics::new(model),
             tree: Rerooted::new(model),
             Ic: vec![RigidInertia::ZERO; model.bodies.len()],
@@ -50,9 +54,11 @@ impl<T: Real> FloatingWorkspace<T> {
 
     /// H with the central body as the base: the joints' part is the model's own.
     fn mass_matrix(&mut self, model: &Model<T>, q: &[T]) -> Result<(), InputError> {
+        model.check_shape("workspace", self.shape)?;
         model.check_q(q)?;
-        let Self { kinematics, tree, Ic, H } = self;
+        let Self { kinematics, tree, Ic, H, .. } = self;
         kinematics.update(model, q);
+        tree.weigh(model);
         tree.update(model, kinematics);
         crba(&tree.bodies, &tree.kinematics, &model.armature, Ic, H);
         Ok(())
@@ -89,7 +95,7 @@ pub fn floating_mass_matrix<T: Real>(model: &Model<T>, q: &[T]) -> Result<Matrix
 
 /// [`floating_mass_matrix`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`floating_mass_matrix`], and if `floating` has the wrong size.
+/// Errors: as [`floating_mass_matrix`], if `floating` has the wrong size, and [`InputError::OtherModel`] for the workspace.
 pub fn floating_mass_matrix_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -100,8 +106,8 @@ pub fn floating_mass_matrix_into<T: Real>(
         return Err(InputError::NoFloatingBase.into());
     }
     let joints = model.nv() - BASE;
-    check_out("rows of H*", floating.rows(), joints)?;
-    check_out("columns of H*", floating.cols(), joints)?;
+    check_length("rows of H*", floating.rows(), joints)?;
+    check_length("columns of H*", floating.cols(), joints)?;
     workspace.mass_matrix(model, q)?;
     remove_base(&mut workspace.H, floating)?;
     Ok(())

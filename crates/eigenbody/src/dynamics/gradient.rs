@@ -11,16 +11,16 @@
 //! With q̇ = x, an eigenvector of H with xᵀBx = 1, twice this gradient is ∂λ/∂q (B constant).
 
 use super::kinematics::Kinematics;
-use super::rnea::check_out;
-use crate::error::InputError;
+use crate::error::{InputError, check_length};
 use crate::joint::Joint;
-use crate::model::{Model, check};
+use crate::model::{Model, Shape, check};
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Force, Motion};
 
 /// Room for [`kinetic_energy_gradient_into`].
 #[derive(Debug, Clone)]
 pub struct GradientWorkspace<T> {
+    shape: Shape,
     kinematics: Kinematics<T>,
     /// N: velocity handed on by the parent, and momentum of each body with all that it carries.
     c: Vec<Motion<T>>,
@@ -33,6 +33,7 @@ impl<T: Scalar> GradientWorkspace<T> {
     pub fn new(model: &Model<T>) -> Self {
         let n = model.bodies.len();
         Self {
+            shape: model.shape,
             kinematics: Kinematics::new(model),
             c: vec![Motion::ZERO; n],
             h: vec![Force::ZERO; n],
@@ -70,7 +71,7 @@ pub fn kinetic_energy_gradient<T: Real>(model: &Model<T>, q: &[T], v: &[T]) -> R
 
 /// [`kinetic_energy_gradient`] into `gradient`; allocates nothing.
 ///
-/// Errors: as [`kinetic_energy_gradient`], and for a `gradient` of the wrong length.
+/// Errors: as [`kinetic_energy_gradient`], for a `gradient` of the wrong length, and [`InputError::OtherModel`] for the workspace.
 pub fn kinetic_energy_gradient_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -78,10 +79,11 @@ pub fn kinetic_energy_gradient_into<T: Real>(
     workspace: &mut GradientWorkspace<T>,
     gradient: &mut [T],
 ) -> Result<(), InputError> {
+    model.check_shape("workspace", workspace.shape)?;
     model.check_q(q)?;
     check("v", v, model.nv())?;
-    check_out("gradient", gradient.len(), model.nv())?;
-    let GradientWorkspace { kinematics, c, h, v: velocity } = workspace;
+    check_length("gradient", gradient.len(), model.nv())?;
+    let GradientWorkspace { kinematics, c, h, v: velocity, .. } = workspace;
     kinematics.update(model, q);
     let Kinematics { X_up, S } = kinematics;
     for (i, body) in model.bodies.iter().enumerate() {

@@ -8,7 +8,7 @@
 
 use super::kinematics::Kinematics;
 use crate::error::InputError;
-use crate::model::Model;
+use crate::model::{Model, Shape};
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{Force, Motion, RigidInertia, Vec3};
 
@@ -26,6 +26,7 @@ pub struct Momentum<T> {
 /// Room for [`momentum_into`] and [`energy_into`](super::energy_into).
 #[derive(Debug, Clone)]
 pub struct MomentumWorkspace<T> {
+    shape: Shape,
     kinematics: Kinematics<T>,
     /// N: velocity of each body. Written forwards.
     pub(super) v: Vec<Motion<T>>,
@@ -39,6 +40,7 @@ impl<T: Scalar> MomentumWorkspace<T> {
     pub fn new(model: &Model<T>) -> Self {
         let n = model.bodies.len();
         Self {
+            shape: model.shape,
             kinematics: Kinematics::new(model),
             v: vec![Motion::ZERO; n],
             h: vec![Force::ZERO; n],
@@ -70,13 +72,14 @@ pub fn momentum<T: Real>(model: &Model<T>, q: &[T], v: &[T]) -> Result<Momentum<
 
 /// [`momentum`] with the caller's workspace; allocates nothing.
 ///
-/// Errors: as [`momentum`].
+/// Errors: as [`momentum`], and [`InputError::OtherModel`] for the workspace.
 pub fn momentum_into<T: Real>(
     model: &Model<T>,
     q: &[T],
     v: &[T],
     workspace: &mut MomentumWorkspace<T>,
 ) -> Result<Momentum<T>, InputError> {
+    model.check_shape("workspace", workspace.shape)?;
     model.check_q(q)?;
     model.check_v("v", v)?;
     workspace.kinematics.update(model, q);
@@ -85,7 +88,7 @@ pub fn momentum_into<T: Real>(
 
 #[inline(always)]
 fn sweep<T: Scalar>(model: &Model<T>, qd: &[T], workspace: &mut MomentumWorkspace<T>) -> Momentum<T> {
-    let MomentumWorkspace { kinematics: Kinematics { X_up, S }, v, h, Ic } = workspace;
+    let MomentumWorkspace { kinematics: Kinematics { X_up, S }, v, h, Ic, .. } = workspace;
     for (i, body) in model.bodies.iter().enumerate() {
         let mut v_i = X_up[i].motion(body.parent().map_or(Motion::ZERO, |p| v[p]));
         for d in body.dofs() {

@@ -5,7 +5,7 @@
 //! ```
 
 use super::crba::mass_matrix;
-use super::floating::{BASE, coupled_floating_mass_matrix, floating_mass_matrix};
+use super::floating::{coupled_floating_mass_matrix, floating_mass_matrix};
 use crate::error::Error;
 use crate::matrix::Matrix;
 use crate::model::Model;
@@ -53,7 +53,7 @@ impl Reduction {
             (true, Some(coupling)) => coupling.independent_dofs().to_vec(),
             _ => (0..model.nv()).collect(),
         };
-        let base = if self.base && model.has_floating_base() { BASE } else { 0 };
+        let base = if self.base { model.base_dofs() } else { 0 };
         all[base..].to_vec()
     }
 }

@@ -108,6 +108,13 @@ impl<T: Real> Rerooted<T> {
         Self { bodies, kinematics: Kinematics::new(model), old, new, path }
     }
 
+    /// The inertias of a model of the same shape. The root stays where it is.
+    pub fn weigh(&mut self, model: &Model<T>) {
+        for (body, &i) in self.bodies.iter_mut().zip(&self.old) {
+            body.I = model.bodies[i].I;
+        }
+    }
+
     /// The new tree at the configuration of `from`. The base's six columns are unit vectors at the new root.
     pub fn update(&mut self, model: &Model<T>, from: &Kinematics<T>) {
         let Self { kinematics: Kinematics { X_up, S }, old, path, .. } = self;

@@ -14,15 +14,16 @@
 
 use super::posture::{Posture, position, slide};
 use super::rooted;
-use crate::error::InputError;
+use crate::error::{InputError, check_length};
 use crate::joint::Joint;
-use crate::model::{Mechanism, Member, Model, MotionKind, with_turn, with_twist};
+use crate::model::{Mechanism, Member, Model, MotionKind, Shape, with_turn, with_twist};
 use crate::scalar::{Algorithm, Quad, Real, Scalar, dispatch_one};
 use crate::spatial::{Force, Mat3, Motion, Placed, Rotation, ThenZ, Vec3};
 
 /// Room for [`inverse_dynamics_into`].
 #[derive(Debug, Clone)]
 pub struct RneaWorkspace<T> {
+    pub(super) shape: Shape,
     pub(super) posture: Posture<T>,
     /// By level, the world first: the bodies on the path to the one at hand.
     path: Vec<Moving<T>>,
@@ -50,6 +51,7 @@ impl<T: Scalar> RneaWorkspace<T> {
         let n = model.bodies.len() + 1;
         let still = Moving { omega: Vec3::ZERO, alpha: Vec3::ZERO, a: Vec3::ZERO, Psi: Mat3::ZERO };
         Self {
+            shape: model.shape,
             posture: Posture::new(model.mechanism()),
             path: vec![still; model.mechanism().depth + 1],
             f: vec![Force::ZERO; n],
@@ -69,7 +71,8 @@ impl<T: Scalar> RneaWorkspace<T> {
 /// | τ (returned) | `nv` | N m, N |
 ///
 /// Method: recursive Newton-Euler, Featherstone (2008) table 5.1, in body frames; gravity as an acceleration of the base.
-/// O(N); allocates. Numerics: backward stable, error of order ε times the forces that meet in a joint.
+/// O(N); allocates. Numerics: backward stable, error of order ε times the forces that meet in a joint. What overflows is
+/// infinite or NaN, as IEEE 754 has it.
 ///
 /// Errors: [`InputError`] if an argument has the wrong length, a number that is not finite, or no unit quaternion.
 ///
@@ -95,7 +98,7 @@ pub fn inverse_dynamics<T: Real>(
 
 /// [`inverse_dynamics`] into the caller's memory; allocates nothing.
 ///
-/// Errors: as [`inverse_dynamics`], and if `tau` has the wrong length.
+/// Errors: as [`inverse_dynamics`], if `tau` has the wrong length, and [`InputError::OtherModel`] for the workspace.
 pub fn inverse_dynamics_into<T: Real>(
     model: &Model<T>,
     q: &[T],
@@ -104,16 +107,13 @@ pub fn inverse_dynamics_into<T: Real>(
     workspace: &mut RneaWorkspace<T>,
     tau: &mut [T],
 ) -> Result<(), InputError> {
+    model.check_shape("workspace", workspace.shape)?;
     model.check_q(q)?;
     model.check_v("v", v)?;
     model.check_v("vdot", vdot)?;
-    check_out("tau", tau.len(), model.nv())?;
+    check_length("tau", tau.len(), model.nv())?;
     dispatch_one(Rnea { model, q, v, vdot, workspace, tau });
     Ok(())
-}
-
-pub(super) fn check_out(what: &'static str, found: usize, expected: usize) -> Result<(), InputError> {
-    if found == expected { Ok(()) } else { Err(InputError::Length { what, expected, found }) }
 }
 
 /// The algorithm with its arguments, which have been checked.

@@ -6,8 +6,8 @@
 //! ```
 //! For matrices without a tree: H* of a free-floating base, GᵀHG of mimic joints, H shifted by stiffness and damping. Cost n³/3.
 
-use super::{Info, inverse_by_columns};
-use crate::error::{Error, InputError};
+use super::{Info, check_square, inverse_by_columns};
+use crate::error::{Error, check_length};
 use crate::matrix::Matrix;
 use crate::scalar::Real;
 
@@ -41,10 +41,10 @@ impl<T: Real> Cholesky<T> {
 
     /// A = L Lᵀ, from the lower triangle. Allocates nothing.
     ///
-    /// Errors: [`InputError::Length`]; [`NotPositiveDefinite`](crate::NotPositiveDefinite) at the first pivot that is not positive,
+    /// Errors: [`InputError::Length`](crate::InputError::Length); [`NotPositiveDefinite`](crate::NotPositiveDefinite) at the first pivot that is not positive,
     /// after which the factor must not be used.
     pub fn factor(&mut self, A: &Matrix<T>) -> Result<Info, Error> {
-        self.check("A", A)?;
+        check_square("A", A, self.L.rows())?;
         let L = &mut self.L;
         let mut info = Info::EMPTY;
         for k in 0..L.rows() {
@@ -61,16 +61,11 @@ impl<T: Real> Cholesky<T> {
         Ok(info)
     }
 
-    /// x ← A⁻¹ x. Cost n²; allocates nothing. Errors: [`InputError::Length`].
+    /// x ← A⁻¹ x. Cost n²; allocates nothing. Errors: [`InputError::Length`](crate::InputError::Length).
     pub fn solve(&self, x: &mut [T]) -> Result<(), Error> {
-        let expected = self.L.rows();
-        match x.len() {
-            found if found != expected => Err(InputError::Length { what: "x", expected, found }.into()),
-            _ => {
-                self.solve_in_place(x);
-                Ok(())
-            }
-        }
+        check_length("x", x.len(), self.L.rows())?;
+        self.solve_in_place(x);
+        Ok(())
     }
 
     fn solve_in_place(&self, x: &mut [T]) {
@@ -84,16 +79,16 @@ impl<T: Real> Cholesky<T> {
         }
     }
 
-    /// A⁻¹, both triangles. Cost n³; allocates nothing. Errors: [`InputError::Length`].
+    /// A⁻¹, both triangles. Cost n³; allocates nothing. Errors: [`InputError::Length`](crate::InputError::Length).
     pub fn inverse_into(&self, inverse: &mut Matrix<T>) -> Result<(), Error> {
-        self.check("inverse", inverse)?;
+        check_square("inverse", inverse, self.L.rows())?;
         inverse_by_columns(inverse, |x| self.solve_in_place(x));
         Ok(())
     }
 
-    /// L Lᵀ, both triangles: A again, for checking. Allocates nothing. Errors: [`InputError::Length`].
+    /// L Lᵀ, both triangles: A again, for checking. Allocates nothing. Errors: [`InputError::Length`](crate::InputError::Length).
     pub fn reconstruct_into(&self, A: &mut Matrix<T>) -> Result<(), Error> {
-        self.check("A", A)?;
+        check_square("A", A, self.L.rows())?;
         let L = &self.L;
         for i in 0..L.rows() {
             for j in 0..L.rows() {
@@ -101,13 +96,5 @@ impl<T: Real> Cholesky<T> {
             }
         }
         Ok(())
-    }
-
-    fn check(&self, what: &'static str, A: &Matrix<T>) -> Result<(), InputError> {
-        let expected = self.L.rows();
-        match (A.rows(), A.cols()) {
-            (found, _) | (_, found) if found != expected => Err(InputError::Length { what, expected, found }),
-            _ => Ok(()),
-        }
     }
 }

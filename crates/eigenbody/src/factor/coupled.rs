@@ -11,7 +11,7 @@ use super::Cholesky;
 use crate::dynamics::{
     CrbaWorkspace, RneaWorkspace, bias_force_into, inverse_dynamics_into, mass_matrix_into,
 };
-use crate::error::{Error, InputError};
+use crate::error::{Error, InputError, check_length};
 use crate::matrix::Matrix;
 use crate::model::{Coupling, Model, check};
 use crate::scalar::Real;
@@ -62,7 +62,8 @@ impl<T: Real> CoupledWorkspace<T> {
 ///
 /// Method: RNEA of all joints, O(N). Numerics: as [`inverse_dynamics_into`].
 ///
-/// Errors: [`InputError`] if an argument has the wrong length, a number that is not finite, or no unit quaternion.
+/// Errors: [`InputError`] if an argument has the wrong length, a number that is not finite, or no unit quaternion;
+/// [`InputError::OtherModel`] for the coupling or the workspace.
 ///
 /// ```
 /// use eigenbody::factor::{CoupledWorkspace, coupled_inverse_dynamics_into};
@@ -95,10 +96,11 @@ pub fn coupled_inverse_dynamics_into<T: Real>(
     workspace: &mut CoupledWorkspace<T>,
     tau: &mut [T],
 ) -> Result<(), InputError> {
+    check_room(model, coupling, workspace)?;
     let CoupledWorkspace { rnea, v, vdot, tau: all, .. } = workspace;
     check("v", rate, coupling.nv())?;
     check("vdot", acceleration, coupling.nv())?;
-    check_out("tau", tau, coupling)?;
+    check_length("tau", tau.len(), coupling.nv())?;
     coupling.push_forward_into(rate, v);
     coupling.push_forward_into(acceleration, vdot);
     inverse_dynamics_into(model, q, v, vdot, rnea, all)?;
@@ -117,9 +119,10 @@ pub fn coupled_bias_force_into<T: Real>(
     workspace: &mut CoupledWorkspace<T>,
     C: &mut [T],
 ) -> Result<(), InputError> {
+    check_room(model, coupling, workspace)?;
     let CoupledWorkspace { rnea, v, tau: all, .. } = workspace;
     check("v", rate, coupling.nv())?;
-    check_out("C", C, coupling)?;
+    check_length("C", C.len(), coupling.nv())?;
     coupling.push_forward_into(rate, v);
     bias_force_into(model, q, v, rnea, all)?;
     coupling.pull_back_into(all, C);
@@ -159,9 +162,19 @@ pub fn coupled_forward_dynamics_into<T: Real>(
     factor.solve(acceleration)
 }
 
-fn check_out<T: Real>(what: &'static str, out: &[T], coupling: &Coupling<T>) -> Result<(), InputError> {
-    match out.len() {
-        found if found != coupling.nv() => Err(InputError::Length { what, expected: coupling.nv(), found }),
-        _ => Ok(()),
+/// Refuses a map or room of another model.
+fn check_room<T: Real>(
+    model: &Model<T>,
+    coupling: &Coupling<T>,
+    workspace: &CoupledWorkspace<T>,
+) -> Result<(), InputError> {
+    let CoupledWorkspace { crba, reduced, .. } = workspace;
+    model.check_shape("workspace", crba.shape)?;
+    if coupling.of() != model.nv() {
+        return Err(InputError::OtherModel { what: "coupling" });
     }
+    if reduced.rows() != coupling.nv() {
+        return Err(InputError::OtherModel { what: "workspace" });
+    }
+    Ok(())
 }

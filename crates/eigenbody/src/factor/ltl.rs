@@ -8,8 +8,8 @@
 //! ```
 //! Featherstone (2008), table 6.3. Cost O(n·depth²).
 
-use super::{Info, check_length, check_square, inverse_by_columns};
-use crate::error::Error;
+use super::{Info, check_square, inverse_by_columns};
+use crate::error::{Error, check_length};
 use crate::matrix::Matrix;
 use crate::model::DofTree;
 use crate::scalar::Real;
@@ -50,7 +50,7 @@ impl<'tree, T: Real> Ltl<'tree, T> {
     /// pivot that is not positive, after which the factor must not be used.
     pub fn factor(&mut self, H: &Matrix<T>) -> Result<Info, Error> {
         let Self { tree, L } = self;
-        check_square("H", H, tree)?;
+        check_square("H", H, tree.len())?;
         copy_pattern(tree, H, L);
         let mut info = Info::EMPTY;
         for k in tree.order().rev() {
@@ -73,7 +73,7 @@ impl<'tree, T: Real> Ltl<'tree, T> {
 
     /// x ← H⁻¹ x. Cost O(n·depth); allocates nothing. Errors: [`InputError::Length`](crate::InputError::Length).
     pub fn solve(&self, x: &mut [T]) -> Result<(), Error> {
-        check_length("x", x, self.tree)?;
+        check_length("x", x.len(), self.tree.len())?;
         self.solve_in_place(x);
         Ok(())
     }
@@ -98,14 +98,14 @@ impl<'tree, T: Real> Ltl<'tree, T> {
 
     /// H⁻¹, both triangles. Cost O(n²·depth); allocates nothing. Errors: [`InputError::Length`](crate::InputError::Length).
     pub fn inverse_into(&self, inverse: &mut Matrix<T>) -> Result<(), Error> {
-        check_square("inverse", inverse, self.tree)?;
+        check_square("inverse", inverse, self.tree.len())?;
         inverse_by_columns(inverse, |x| self.solve_in_place(x));
         Ok(())
     }
 
     /// Lᵀ L, both triangles: H again, for checking. Allocates nothing. Errors: [`InputError::Length`](crate::InputError::Length).
     pub fn reconstruct_into(&self, H: &mut Matrix<T>) -> Result<(), Error> {
-        check_square("H", H, self.tree)?;
+        check_square("H", H, self.tree.len())?;
         H.fill(T::ZERO);
         let Self { tree, L } = self;
         for k in tree.order() {

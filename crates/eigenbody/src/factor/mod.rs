@@ -15,9 +15,8 @@ pub use coupled::{
 pub use ltdl::Ltdl;
 pub use ltl::Ltl;
 
-use crate::error::{InputError, NotPositiveDefinite};
+use crate::error::{InputError, NotPositiveDefinite, check_length};
 use crate::matrix::Matrix;
-use crate::model::DofTree;
 use crate::scalar::Real;
 
 /// What a successful factorisation found.
@@ -53,20 +52,9 @@ impl Info {
     }
 }
 
-fn check_square<T: Real>(what: &'static str, A: &Matrix<T>, tree: &DofTree) -> Result<(), InputError> {
-    let n = tree.len();
-    match (A.rows(), A.cols()) {
-        (rows, _) if rows != n => Err(InputError::Length { what, expected: n, found: rows }),
-        (_, cols) if cols != n => Err(InputError::Length { what, expected: n, found: cols }),
-        _ => Ok(()),
-    }
-}
-
-fn check_length<T>(what: &'static str, x: &[T], tree: &DofTree) -> Result<(), InputError> {
-    match x.len() {
-        found if found != tree.len() => Err(InputError::Length { what, expected: tree.len(), found }),
-        _ => Ok(()),
-    }
+fn check_square<T: Real>(what: &'static str, A: &Matrix<T>, n: usize) -> Result<(), InputError> {
+    check_length(what, A.rows(), n)?;
+    check_length(what, A.cols(), n)
 }
 
 /// The inverse column by column, both triangles, from any solver.

@@ -5,7 +5,7 @@ use super::builder::{Base, JointId, JointSpec, LinkId, MimicSpec, ModelBuilder};
 use super::error::BuildError;
 use super::number::{Fault, check_armature, check_inertia, crossed_limits};
 use super::topology::{Node, pre_order};
-use super::{Deferred, DofTree, MAX_BODIES, Model, ROTATION_TOLERANCE, canonical, coupling, finding};
+use super::{Deferred, DofTree, MAX_BODIES, Model, ROTATION_TOLERANCE, Shape, canonical, coupling, finding};
 use crate::joint::Joint;
 use crate::scalar::Real;
 use crate::spatial::{Mat3, RigidInertia, Transform, Vec3};
@@ -67,6 +67,7 @@ pub(super) fn build<T: Real>(mut robot: ModelBuilder<T>, base: Base) -> Result<M
         nq: joints.iter().map(|j| j.kind.nq()).sum(),
         floating_base: base == Base::Floating,
         gravity: robot.gravity,
+        shape: Shape::of(&bodies),
         bodies,
         mechanism: Deferred::default(),
         links,

@@ -33,6 +33,7 @@ impl Model<f64> {
         Model {
             name: self.name.clone(),
             bodies: self.bodies.iter().map(body).collect(),
+            shape: self.shape,
             mechanism: Deferred::default(),
             links: self.links.iter().map(link).collect(),
             joints: self.joints.iter().map(joint).collect(),

@@ -41,6 +41,11 @@ impl<T: Real> Coupling<T> {
         self.independent_dofs.len()
     }
 
+    /// Number of all degrees of freedom.
+    pub(crate) fn of(&self) -> usize {
+        self.dofs.len()
+    }
+
     /// The independent degrees of freedom among all, ascending.
     pub fn independent_dofs(&self) -> &[usize] {
         &self.independent_dofs

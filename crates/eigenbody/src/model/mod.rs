@@ -16,6 +16,7 @@ mod mechanism;
 mod number;
 mod plausible;
 mod random;
+mod shape;
 mod topology;
 
 pub use body::{Body, JointInfo, LinkInfo};
@@ -28,8 +29,10 @@ pub use finding::Finding;
 pub(crate) use frames::{Twist, with_turn, with_twist};
 pub(crate) use mechanism::{Block, COLUMNS, Deferred, EMPTY, Mechanism, Member, MotionKind, SMALL};
 pub use random::Random;
+pub(crate) use shape::Shape;
 
 use crate::error::InputError;
+use crate::joint::Joint;
 use crate::scalar::Scalar;
 use crate::spatial::Vec3;
 
@@ -46,6 +49,7 @@ pub const DENSE_LIMIT: usize = 20_000;
 pub struct Model<T> {
     pub(crate) name: String,
     pub(crate) bodies: Vec<Body<T>>,
+    pub(crate) shape: Shape,
     pub(crate) mechanism: Deferred<T>,
     pub(crate) links: Vec<LinkInfo<T>>,
     pub(crate) joints: Vec<JointInfo<T>>,
@@ -110,6 +114,21 @@ impl<T: Scalar> Model<T> {
     /// True if the root link moves freely: the first six DoFs are its own.
     pub fn has_floating_base(&self) -> bool {
         self.floating_base
+    }
+
+    /// Degrees of freedom of the floating base, the first ones: six, or none.
+    ///
+    /// ```
+    /// use eigenbody::Family;
+    /// let arm = Family::hydra(4, 1.0, 0.0, 1.0)?;
+    /// assert_eq!(arm.clone().model::<f64>()?.base_dofs(), 0);
+    /// // The first of four hinges gives way to the base.
+    /// let free = arm.floating().model::<f64>()?;
+    /// assert_eq!((free.base_dofs(), free.nv()), (6, 6 + 3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn base_dofs(&self) -> usize {
+        if self.floating_base { Joint::<T>::Floating.nv() } else { 0 }
     }
 
     /// The linear map of mimic joints, if the model has any.

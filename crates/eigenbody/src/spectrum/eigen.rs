@@ -6,7 +6,7 @@
 
 use super::ql::ql;
 use super::tridiagonal::{back_transform, reduce};
-use crate::error::{Error, InputError};
+use crate::error::{Error, InputError, check_length};
 use crate::matrix::Matrix;
 use crate::scalar::Real;
 
@@ -30,7 +30,9 @@ pub struct SymmetricEigen<T> {
 /// every eigenvalue to a few ε·λmax, small eigenvalues of graded matrices usually far better; so λmin carries a relative
 /// error up to a few ε·κ.
 ///
-/// Errors: [`InputError::Length`], [`InputError::NotPositive`] for a weight, [`InputError::NotFinite`], [`Error::NoConvergence`] (never seen on finite input).
+/// Errors: [`InputError::Length`]; [`InputError::NotPositive`] for a weight; [`InputError::NotFinite`] where an entry of B^-½ H B^-½ is
+/// none; [`InputError::Overflow`] where an eigenvalue, or a number on the way to it, is beyond the range of T; [`Error::NoConvergence`]
+/// (never seen within that range).
 ///
 /// ```
 /// use eigenbody::{Matrix, spectrum::eigen};
@@ -46,6 +48,8 @@ pub fn eigen<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<SymmetricEigen<T>,
     let mut V = Matrix::identity(n);
     ql(&mut t, Some(&mut V))?;
     back_transform(&A, &h, &mut V);
+    check_range(&t.d)?;
+    check_range(V.as_slice())?;
 
     let mut ascending: Vec<usize> = (0..n).collect();
     ascending.sort_by(|&i, &j| t.d[i].to_f64().total_cmp(&t.d[j].to_f64()));
@@ -65,8 +69,17 @@ pub fn eigenvalues<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Vec<T>, Erro
     let Scaled { mut A, .. } = scale(H, weights)?;
     let (mut t, _) = reduce(&mut A);
     ql(&mut t, None)?;
+    check_range(&t.d)?;
     t.d.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));
     Ok(t.d)
+}
+
+/// Refuses what came out beyond the range of T.
+fn check_range<T: Real>(found: &[T]) -> Result<(), InputError> {
+    match found.iter().all(|x| x.is_finite()) {
+        true => Ok(()),
+        false => Err(InputError::Overflow { what: "an eigenvalue" }),
+    }
 }
 
 /// B^-½ H B^-½ with rows and columns in ascending order of its diagonal, the order, and B^-½.
@@ -79,9 +92,7 @@ struct Scaled<T> {
 fn scale<T: Real>(H: &Matrix<T>, weights: &[T]) -> Result<Scaled<T>, Error> {
     let n = H.rows();
     for (what, found) in [("columns of H", H.cols()), ("B", weights.len())] {
-        if found != n {
-            return Err(InputError::Length { what, expected: n, found }.into());
-        }
+        check_length(what, found, n)?;
     }
     if let Some(index) = weights.iter().position(|&b| !(b > T::ZERO && b.is_finite())) {
         return Err(InputError::NotPositive { what: "B", index, value: weights[index].to_f64() }.into());

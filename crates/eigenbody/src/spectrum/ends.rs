@@ -11,7 +11,7 @@
 //! §8.  Cost n³ and about 20 n; nothing is decided by comparing values, so that matrices may stand side by side in lanes.
 
 use super::abreast;
-use crate::error::InputError;
+use crate::error::{InputError, check_length};
 use crate::matrix::Matrix;
 use crate::scalar::{Algorithm, Aligned, Quad, Real, Scalar, Unit, dispatch_one};
 
@@ -71,7 +71,8 @@ impl<T: Scalar> EndsWorkspace<T> {
 /// Method: Householder reduction, then Laguerre's method from both ends. O(n³), a tenth of [`eigenvalues`](super::eigenvalues); allocates.
 /// Numerics: both to a few n·ε·λmax; a λmin below that is rounding, and may be zero.
 ///
-/// Errors: [`InputError::Length`]; [`InputError::NotFinite`]; [`InputError::NotPositive`] for a weight.
+/// Errors: [`InputError::Length`]; [`InputError::NotFinite`] where an entry of B^-½ H B^-½ is none; [`InputError::NotPositive`] for a
+/// weight; [`InputError::Overflow`] if λmax is beyond the range of T.
 ///
 /// ```
 /// use eigenbody::{Matrix, spectrum::extreme_eigenvalues};
@@ -94,9 +95,7 @@ pub fn extreme_eigenvalues_into<T: Real>(
 ) -> Result<[T; 2], InputError> {
     let n = workspace.n;
     for (what, found) in [("rows of H", H.rows()), ("columns of H", H.cols()), ("B", weights.len())] {
-        if found != n {
-            return Err(InputError::Length { what, expected: n, found });
-        }
+        check_length(what, found, n)?;
     }
     if n == 0 {
         return Ok([T::ZERO; 2]);
@@ -120,7 +119,15 @@ pub fn extreme_eigenvalues_into<T: Real>(
         let index = A.iter().position(|x| !x.is_finite()).unwrap_or(0) / *stride;
         return Err(InputError::NotFinite { what: "H", index });
     }
-    Ok(reduced_ends(workspace))
+    within_range(reduced_ends(workspace))
+}
+
+/// Refuses ends that are beyond the range of T, though the matrix is not.
+pub(super) fn within_range<T: Real>(ends: [T; 2]) -> Result<[T; 2], InputError> {
+    match ends.iter().all(|end| end.is_finite()) {
+        true => Ok(ends),
+        false => Err(InputError::Overflow { what: "λmax" }),
+    }
 }
 
 /// λmin and λmax of the matrix that stands in the workspace, of one row at least; whatever its unit, squares stay within the range of T.

@@ -53,8 +53,8 @@ impl<T: Real> EndsAtWorkspace<T> {
 ///
 /// Method, cost, numerics: as [`mass_matrix_into`](crate::dynamics::mass_matrix_into) and [`extreme_eigenvalues`](super::extreme_eigenvalues).
 ///
-/// Errors: [`InputError`] if q does not fit the model, or the workspace is for another size; [`InputError::NotFinite`] if H is too large a
-/// number; [`InputError::NotPositive`] in the unit-diagonal metric, if a degree of freedom has no inertia.
+/// Errors: [`InputError`] if q does not fit the model, [`InputError::OtherModel`] for the workspace;
+/// [`InputError::NotFinite`] if H is too large a number; [`InputError::NotPositive`] in the unit-diagonal metric, if a degree of freedom has no inertia.
 ///
 /// ```
 /// use eigenbody::spectrum::{EndsAtWorkspace, Metric, extreme_eigenvalues_at};
@@ -72,9 +72,7 @@ pub fn extreme_eigenvalues_at<T: Real>(
 ) -> Result<[T; 2], InputError> {
     let EndsAtWorkspace { crba, ends, units, unit_diagonal } = workspace;
     let (n, stride) = (ends.n, ends.stride);
-    if n != model.nv() {
-        return Err(InputError::Length { what: "workspace", expected: model.nv(), found: n });
-    }
+    model.check_shape("workspace", crba.shape)?;
     model.check_q(q)?;
     if n == 0 {
         return Ok([T::ZERO; 2]);

@@ -68,7 +68,8 @@ pub enum Precision {
 /// passes of about 70 ns a body; allocates. Numerics: the relative error is that of [`Extreme::error_estimate`], usually a few ε
 /// whatever κ; see `docs/numerics.md`.
 ///
-/// Errors: [`InputError::NotPositive`] if B is zero throughout.
+/// Errors: [`InputError::NotPositive`] if B is zero throughout; [`InputError::Overflow`] if H, λmax, or a number on the way to a mode or its
+/// error is beyond the range of f64.
 ///
 /// ```
 /// use eigenbody::Family;
@@ -93,8 +94,12 @@ pub(crate) fn extremes_from(
     if pencil.is_empty() {
         return Err(InputError::NotPositive { what: "B", index: 0, value: 0.0 });
     }
+    check_range(diagonal)?;
     let (low, high, passes) = search(pencil, diagonal);
     let largest = known_largest(&high, pencil, diagonal);
+    if !largest.is_finite() {
+        return Err(InputError::Overflow { what: "λmax" });
+    }
     let gaps = [low.value().map_or(0.0, |value| low.gap(value)), high.gap(largest)];
     let ending = Ending { pencil, precision, largest };
     // Without a λmin, the mode of zero tells how far rounding reaches.
@@ -106,7 +111,21 @@ pub(crate) fn extremes_from(
             if low.value().is_some() { min.value * (1.0 + min.error_estimate) } else { errors[0].counted };
         Err(Unresolved { below: known_bound(reach, pencil, diagonal) })
     };
-    Ok(Extremes { min, max, passes })
+    let known = |end: &Extreme| {
+        end.error_estimate.is_finite() && end.value.is_finite() && end.vector.iter().all(|x| x.is_finite())
+    };
+    match known(&max) && min.as_ref().map_or(true, known) {
+        true => Ok(Extremes { min, max, passes }),
+        false => Err(InputError::Overflow { what: "a mode" }),
+    }
+}
+
+/// Refuses a matrix with this diagonal that is beyond the range of f64.
+pub(crate) fn check_range(diagonal: &[f64]) -> Result<(), InputError> {
+    match diagonal.iter().all(|h| h.is_finite()) {
+        true => Ok(()),
+        false => Err(InputError::Overflow { what: "H" }),
+    }
 }
 
 /// λmax: counts find none where there is no inertia at all.

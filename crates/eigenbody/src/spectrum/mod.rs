@@ -20,7 +20,7 @@ pub use eigen::{SymmetricEigen, eigen, eigenvalues};
 pub use ends::{EndsWorkspace, extreme_eigenvalues, extreme_eigenvalues_into};
 pub use ends_at::{EndsAtWorkspace, extreme_eigenvalues_at};
 pub use extremes::{Extreme, Extremes, Precision, Unresolved, extremes};
-pub(crate) use extremes::{extreme_values, extremes_from};
+pub(crate) use extremes::{check_range, extreme_values, extremes_from};
 pub use metric::Metric;
 pub use null_space::{NullSpace, null_space};
 pub(crate) use packed::Packed;

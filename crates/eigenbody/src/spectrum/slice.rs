@@ -36,7 +36,8 @@ const WORTH_SHARING: usize = 4000;
 ///
 /// Cost: typically 1.2 passes of O(N) an eigenvalue, shared among all threads; allocates. Numerics: mostly as accurate as
 /// [`extremes`](super::extremes) without double-double; to √ε·λmax inside the spectrum where a branch has the same eigenvalue for itself, as
-/// limbs that are alike do, and in the unit-diagonal metric every tip at λ = 1.
+/// limbs that are alike do, and in the unit-diagonal metric every tip at λ = 1. Of an H beyond the range of f64, which
+/// `extremes` refuses, the values mean nothing.
 ///
 /// ```
 /// use eigenbody::spectrum::{slice, sturm::Pencil};

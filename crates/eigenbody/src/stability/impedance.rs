@@ -4,8 +4,8 @@
 //! l = Σ a_d q_d        τ_d = −a_d (k l + c l̇)        K = Σ k a aᵀ,  D = Σ c a aᵀ
 //! ```
 
-use crate::dynamics::{BASE, Reduction};
-use crate::error::{Error, InputError};
+use crate::dynamics::Reduction;
+use crate::error::{Error, InputError, check_length};
 use crate::matrix::Matrix;
 use crate::model::{Model, check};
 use crate::spectrum::eigenvalues;
@@ -69,7 +69,7 @@ impl Impedance {
     /// Errors: [`InputError::NoSuch`] for an arm on a degree of freedom that the model does not have; [`InputError::NotFinite`],
     /// which tells the spring's position among `springs`.
     pub fn new(model: &Model<f64>, reduction: Reduction, springs: &[Spring]) -> Result<Self, InputError> {
-        let removed = if reduction.base && model.has_floating_base() { BASE } else { 0 };
+        let removed = if reduction.base { model.base_dofs() } else { 0 };
         let n = reduction.dofs(model).len();
         let zero = || Matrix::zeros(n, n);
         let mut all = Self { stiffness: zero(), damping: zero(), joint_damping: zero() };
@@ -145,11 +145,8 @@ impl Spring {
 
 /// Refuses a matrix that is not n × n, or has a number that is not finite.
 pub(super) fn square(what: &'static str, A: &Matrix<f64>, n: usize) -> Result<(), InputError> {
-    for found in [A.rows(), A.cols()] {
-        if found != n {
-            return Err(InputError::Length { what, expected: n, found });
-        }
-    }
+    check_length(what, A.rows(), n)?;
+    check_length(what, A.cols(), n)?;
     check(what, A.as_slice(), n * n)
 }
 

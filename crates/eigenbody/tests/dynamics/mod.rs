@@ -15,6 +15,7 @@ mod plain;
 mod reduction;
 mod rounding;
 mod turns;
+mod workspace;
 
 use eigenbody::Model;
 use eigenbody::scalar::{Dd, Real, Scalar};

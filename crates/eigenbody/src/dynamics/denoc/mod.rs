@@ -14,8 +14,7 @@ mod udu;
 pub use udu::Udu;
 
 use super::kinematics::Kinematics;
-use super::rnea::check_out;
-use crate::error::InputError;
+use crate::error::{InputError, check_length};
 use crate::matrix::Matrix;
 use crate::model::Model;
 use crate::scalar::{Real, Scalar};
@@ -131,8 +130,8 @@ impl<T: Real> Denoc<'_, T> {
     /// Errors: [`InputError::Length`] if `H` is not nv × nv.
     pub fn mass_matrix_into(&self, H: &mut Matrix<T>) -> Result<(), InputError> {
         let Self { model, p, M_tilde, .. } = self;
-        check_out("rows of H", H.rows(), model.nv())?;
-        check_out("columns of H", H.cols(), model.nv())?;
+        check_length("rows of H", H.rows(), model.nv())?;
+        check_length("columns of H", H.cols(), model.nv())?;
         H.fill(T::ZERO);
         for (i, body) in model.bodies.iter().enumerate() {
             for d in body.dofs() {

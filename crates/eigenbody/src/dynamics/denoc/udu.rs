@@ -13,9 +13,9 @@
 //! k DoFs is k joints in the same place with massless bodies between. M̂ are the articulated inertias of ABA, in the world's axes.
 
 use super::Denoc;
-use crate::dynamics::rnea::check_out;
-use crate::error::{Error, InputError, NotPositiveDefinite};
+use crate::error::{Error, InputError, NotPositiveDefinite, check_length};
 use crate::matrix::Matrix;
+use crate::model::Shape;
 use crate::scalar::{Real, Scalar};
 use crate::spatial::{ArticulatedInertia, Force, Motion};
 
@@ -36,6 +36,7 @@ use crate::spatial::{ArticulatedInertia, Force, Motion};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Udu<T> {
+    shape: Shape,
     /// N: articulated mass of each body. Accumulated backwards.
     M_hat: Vec<ArticulatedInertia<T>>,
     /// nv: ψ and m̂. Written by [`factor`](Self::factor).
@@ -51,6 +52,7 @@ impl<T: Scalar> Udu<T> {
     pub fn new(denoc: &Denoc<'_, T>) -> Self {
         let (n, nv) = (denoc.model.bodies.len(), denoc.model.nv());
         Self {
+            shape: denoc.model.shape,
             M_hat: vec![ArticulatedInertia::ZERO; n],
             psi: vec![Force::ZERO; nv],
             D: vec![T::ZERO; nv],
@@ -68,13 +70,12 @@ impl<T: Scalar> Udu<T> {
 impl<T: Real> Udu<T> {
     /// I = U D Uᵀ, from the tips inwards. O(N); allocates nothing.
     ///
-    /// Errors: [`InputError::Length`] if `denoc` is of another model; [`NotPositiveDefinite`] with the DoF of the first pivot that is
+    /// Errors: [`InputError::OtherModel`] if `denoc` is of another model; [`NotPositiveDefinite`] with the DoF of the first pivot that is
     /// not positive, after which the factors must not be used.
     pub fn factor(&mut self, denoc: &Denoc<'_, T>) -> Result<(), Error> {
-        let Self { M_hat, psi, D, .. } = self;
+        let Self { shape, M_hat, psi, D, .. } = self;
         let Denoc { model, p, M, .. } = denoc;
-        check_out("D", D.len(), model.nv())?;
-        check_out("M̂", M_hat.len(), model.bodies.len())?;
+        model.check_shape("denoc", *shape)?;
         for (M_hat, &M) in M_hat.iter_mut().zip(M) {
             *M_hat = M.into();
         }
@@ -102,12 +103,13 @@ impl<T: Real> Udu<T> {
     /// |------|-------|------|
     /// | `phi` | `nv` | N m, N in; rad/s², m/s² out |
     ///
-    /// Numerics: as ABA, error governed by κ′. Errors: [`InputError::Length`]. `denoc` is the one that was factored.
+    /// Numerics: as ABA, error governed by κ′. `denoc` is the one that was factored. Errors: [`InputError::Length`] for `phi`,
+    /// [`InputError::OtherModel`] for `denoc`.
     pub fn solve(&mut self, denoc: &Denoc<'_, T>, phi: &mut [T]) -> Result<(), InputError> {
-        let Self { psi, D, eta, mu, .. } = self;
+        let Self { shape, psi, D, eta, mu, .. } = self;
         let Denoc { model, p, .. } = denoc;
-        check_out("D", D.len(), model.nv())?;
-        check_out("phi", phi.len(), model.nv())?;
+        model.check_shape("denoc", *shape)?;
+        check_length("phi", phi.len(), model.nv())?;
         eta.fill(Force::ZERO);
         for (i, body) in model.bodies.iter().enumerate().rev() {
             let mut eta_i = eta[i];
@@ -133,11 +135,11 @@ impl<T: Real> Udu<T> {
 
     /// U D Uᵀ, both triangles: the matrix again, for checking. O(n·depth²); allocates.
     ///
-    /// Errors: [`InputError::TooLargeForDense`]; [`InputError::Length`] if `denoc` is of another model.
+    /// Errors: [`InputError::TooLargeForDense`]; [`InputError::OtherModel`] if `denoc` is of another model.
     pub fn reconstruct(&self, denoc: &Denoc<'_, T>) -> Result<Matrix<T>, InputError> {
         let model = denoc.model;
         model.check_dense()?;
-        check_out("D", self.D.len(), model.nv())?;
+        model.check_shape("denoc", self.shape)?;
         let mut H = Matrix::zeros(model.nv(), model.nv());
         for (i, body) in model.bodies.iter().enumerate() {
             for d in body.dofs() {

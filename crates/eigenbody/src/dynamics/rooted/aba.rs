@@ -14,7 +14,7 @@
 
 use super::moments::Moments;
 use super::rnea::{RneaRoom, force, move_all};
-use super::{Stand, columns, combined, components, suits, units};
+use super::{Stand, columns, combined, components, fits, units};
 use crate::dynamics::posture::Posture;
 use crate::model::{Model, MotionKind};
 use crate::scalar::{Line, Quad, Real, Scalar};
@@ -57,7 +57,7 @@ pub(in crate::dynamics) struct AbaRoom<T> {
 
 impl<T: Scalar> AbaRoom<T> {
     pub fn new(model: &Model<T::Constant>) -> Self {
-        let n = if suits::<T>(model.mechanism()) { model.mechanism().members.len() } else { 0 };
+        let n = if fits::<T>(model.mechanism()) { model.mechanism().members.len() } else { 0 };
         let o = [T::ZERO; 4];
         Self {
             waiting: vec![Line([o; 11]); n],

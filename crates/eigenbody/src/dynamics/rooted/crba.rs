@@ -9,7 +9,7 @@
 //! Columns stand four in a block, and a row of H is written block by block. The lower triangle is the upper one, four by four.
 
 use super::moments::Moments;
-use super::{Stand, columns, combined, components, stand, suits};
+use super::{Stand, columns, combined, components, fits, stand};
 use crate::dynamics::posture::Posture;
 use crate::matrix::Rows;
 use crate::model::{Block, Mechanism, Member, Model, MotionKind};
@@ -35,7 +35,7 @@ pub(in crate::dynamics) struct CrbaRoom<T> {
 
 impl<T: Scalar> CrbaRoom<T> {
     pub fn new(mechanism: &Mechanism<T::Constant>) -> Self {
-        let (n, blocks) = match suits::<T>(mechanism) {
+        let (n, blocks) = match fits::<T>(mechanism) {
             true => (mechanism.members.len(), mechanism.blocks.len()),
             false => (0, 0),
         };

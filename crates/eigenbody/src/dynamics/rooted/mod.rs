@@ -23,7 +23,12 @@ use crate::spatial::{Motion, Placed, Rotation, ThenZ, Vec3};
 
 /// Whether a mechanism is of the size and the build that this is for, and T one number.
 pub(super) fn suits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {
-    mechanism.slots.len() <= SMALL && mechanism.stout && size_of::<T>() == size_of::<T::Constant>()
+    fits::<T>(mechanism) && mechanism.stout
+}
+
+/// Whether room is kept: for every model of a shape alike, as another inertia may make a mechanism stout.
+fn fits<T: Scalar>(mechanism: &Mechanism<T::Constant>) -> bool {
+    mechanism.slots.len() <= SMALL && size_of::<T>() == size_of::<T::Constant>()
 }
 
 /// A body's axes and where its origin stands, seen from its parent's.

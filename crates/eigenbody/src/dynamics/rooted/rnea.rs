@@ -9,7 +9,7 @@
 //! ```
 
 use super::moments::Moments;
-use super::{Stand, columns, combined, components, stand, suits};
+use super::{Stand, columns, combined, components, fits, stand};
 use crate::dynamics::posture::Posture;
 use crate::joint::Joint;
 use crate::model::{Mechanism, Member, Model, MotionKind, with_twist};
@@ -37,7 +37,7 @@ pub(in crate::dynamics) struct RneaRoom<T> {
 
 impl<T: Scalar> RneaRoom<T> {
     pub fn new(mechanism: &Mechanism<T::Constant>) -> Self {
-        let n = if suits::<T>(mechanism) { mechanism.members.len() } else { 0 };
+        let n = if fits::<T>(mechanism) { mechanism.members.len() } else { 0 };
         let o = [T::ZERO; 4];
         Self {
             stands: vec![Stand::ROOT; n],

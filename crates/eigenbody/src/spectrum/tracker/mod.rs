@@ -49,6 +49,14 @@ pub struct Reading {
     pub restarted: bool,
 }
 
+/// Refuses an eigenvalue that is no number.
+fn within_range(reading: Reading) -> Result<Reading, InputError> {
+    match reading.value.is_finite() {
+        true => Ok(reading),
+        false => Err(InputError::Overflow { what: "an eigenvalue" }),
+    }
+}
+
 /// λmin and λmax along a motion.
 ///
 /// Each [`update`](Self::update) costs about one factorisation and one solve of two lanes, O(N), and allocates nothing. Any pace: the
@@ -87,7 +95,8 @@ pub struct Tracker<'m> {
 impl<'m> Tracker<'m> {
     /// Starts at q. `free_floating` removes a floating base: H*.
     ///
-    /// Errors: [`InputError`] if q or the metric does not fit, or there is no floating base to remove.
+    /// Errors: [`InputError`] if q or the metric does not fit, there is no floating base to remove, or an eigenvalue is beyond the
+    /// range of f64.
     pub fn new(
         model: &'m Model<f64>,
         q: &[f64],
@@ -111,14 +120,15 @@ impl<'m> Tracker<'m> {
         let mut tracker =
             Self { pencil, diagonal, follows, start, factors, x, before, y, x_lane: vec![0.0; nv], ends };
         for which in 0..2 {
-            tracker.find_again(which, None);
+            within_range(tracker.find_again(which, None))?;
         }
         Ok(tracker)
     }
 
     /// λmin and λmax at the next q.
     ///
-    /// Errors: [`InputError`] if q does not fit, or a degree of freedom has no inertia there and the metric is the unit-diagonal one; the
+    /// Errors: [`InputError::Overflow`] if an eigenvalue is beyond the range of f64, after which nothing is known of the modes;
+    /// [`InputError`] if q does not fit, or a degree of freedom has no inertia there and the metric is the unit-diagonal one; the
     /// modes are then those of the last q that was followed.
     pub fn update(&mut self, q: &[f64]) -> Result<[Reading; 2], InputError> {
         self.pencil.update(q)?;
@@ -126,7 +136,8 @@ impl<'m> Tracker<'m> {
             let diagonal = self.diagonal.update(&self.pencil);
             self.pencil.set_metric(diagonal)?;
         }
-        Ok(self.follow())
+        let [softest, stiffest] = self.follow();
+        Ok([within_range(softest)?, within_range(stiffest)?])
     }
 
     /// The latest mode of λmin (0) or λmax (1): one number a DoF, xᵀBx = 1. A removed base has zeros.
