@@ -3,7 +3,7 @@
 //! URDF and SDF have room for words of others, so a word that is not known is no error: it is noted where it may have been meant
 //! otherwise. (MJCF has a closed language: see its schema.)
 
-use crate::loaded::Note;
+use crate::note::Note;
 use crate::suggest::nearest;
 
 /// Letters from which on the beginning of a word may stand for it.

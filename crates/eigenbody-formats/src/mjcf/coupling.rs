@@ -4,7 +4,7 @@ use super::attribute::{array, boolean, number, numbers};
 use super::closure::{self, Loop};
 use super::defaults::{Defaults, MAIN};
 use super::fault::Fault;
-use crate::loaded::Note;
+use crate::note::Note;
 use crate::xml::{Element, Spot};
 use std::collections::HashMap;
 

@@ -36,8 +36,9 @@ pub use mesh::{Mesh, MeshFault};
 
 use crate::error::FormatError;
 use crate::file::Shelf;
-use crate::loaded::{Format, Kind, Loaded, Note, Places, Stepping};
+use crate::loaded::{Format, Kind, Loaded, Places, Stepping};
 use crate::looks::Look;
+use crate::note::Note;
 use crate::xml::{Files, Spot};
 use asset::{Assets, Folders};
 use attribute::{array, keyword};

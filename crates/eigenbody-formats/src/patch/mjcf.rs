@@ -50,7 +50,7 @@ pub(super) fn apply(
 /// Whether angles are in degrees, as they are unless a compiler says otherwise.
 fn in_degrees(source: &Source<'_, '_>) -> bool {
     let compilers = source.document.root_element().children().filter(|e| e.has_tag_name("compiler"));
-    compilers.filter_map(|compiler| compiler.attribute("angle")).last() != Some("radian")
+    compilers.filter_map(|compiler| compiler.attribute("angle")).next_back() != Some("radian")
 }
 
 /// A name for matter on a body that no element has.

@@ -22,7 +22,8 @@ pub use fault::SdfFault;
 
 use crate::error::FormatError;
 use crate::file::Shelf;
-use crate::loaded::{Format, Kind as Source, Loaded, Note, Places};
+use crate::loaded::{Format, Kind as Source, Loaded, Places};
+use crate::note::Note;
 use crate::slips::slips;
 use crate::xml::{Files, Spot, XmlFault};
 use eigenbody::Base;
@@ -112,7 +113,7 @@ pub(crate) fn read_text(
     let closures = cut.into_iter().map(|(_, closure)| has_axes(closure)).collect();
     let kind = Source::File(path.to_owned());
     let (format, base) = (Some(Format::Sdf), options.base);
-    Ok(Loaded { format, base, looks, closures, notes, ..Loaded::new(model, file_name, kind, places) })
+    Ok(Loaded { format, looks, base, closures, notes, ..Loaded::new(model, file_name, kind, places) })
 }
 
 /// A closure, unless its joint has an axis without a direction.

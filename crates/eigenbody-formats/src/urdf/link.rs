@@ -2,7 +2,7 @@
 
 use super::element::{Element, Fault};
 use super::pose::origin;
-use crate::loaded::Note;
+use crate::note::Note;
 use eigenbody::spatial::{RigidInertia, Sym3};
 
 /// The entries of `<inertia>`.

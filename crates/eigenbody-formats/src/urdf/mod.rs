@@ -20,8 +20,9 @@ pub(crate) use link::inertia;
 pub use rotor::Rotor;
 
 use crate::error::FormatError;
-use crate::loaded::{Format, Kind, Loaded, Note, Places};
+use crate::loaded::{Format, Kind, Loaded, Places};
 use crate::location::Location;
+use crate::note::Note;
 use crate::slips::slips;
 use crate::suggest::did_you_mean;
 use eigenbody::model::{LinkId, Place};
@@ -111,7 +112,7 @@ pub fn read_urdf_str(text: &str, file_name: &str, options: &UrdfOptions) -> Resu
     let meshes = look::meshes(robot);
     let (format, base) = (Some(Format::Urdf), options.base);
     let loaded = Loaded::new(model, file_name.to_owned(), kind, places);
-    Ok(Loaded { format, base, rotors, springs, looks, meshes, notes, ..loaded })
+    Ok(Loaded { format, rotors, springs, looks, base, meshes, notes, ..loaded })
 }
 
 /// Byte offsets of links and joints, in the order of their ids.
