@@ -13,6 +13,7 @@ use crate::conditioning::{Measure, Values};
 use crate::conditioning::{Method, Question, conditioning_at};
 use crate::dynamics::{BASE, GradientWorkspace, Reduction, kinetic_energy_gradient_into, mass_matrix};
 use crate::error::{Error, InputError};
+use crate::factor::Cholesky;
 use crate::matrix::Matrix;
 use crate::model::Model;
 use crate::spectrum::sturm::{Diagonal, Pencil};
@@ -169,14 +170,14 @@ impl<'m> Evaluator<'m> {
             Measure::LambdaMin => (1.0, 0.0, min),
             Measure::Kappa | Measure::KappaWeighted => (1.0 / max, min / (max * max), min / max),
         };
-        self.add(q, &self.lifted(&H, softest), down, &mut gradient)?;
-        self.add(q, &self.lifted(&H, stiffest), -up, &mut gradient)?;
+        self.add(q, &self.lifted(&H, softest)?, down, &mut gradient)?;
+        self.add(q, &self.lifted(&H, stiffest)?, -up, &mut gradient)?;
         if own_units || self.metric == Metric::UnitDiagonal {
             for d in 0..softest.len() {
                 let weight = up * max * stiffest[d].powi(2) - down * min * softest[d].powi(2);
                 let mut one = vec![0.0; softest.len()];
                 one[d] = 1.0;
-                self.add(q, &self.lifted(&H, &one), weight, &mut gradient)?;
+                self.add(q, &self.lifted(&H, &one)?, weight, &mut gradient)?;
             }
         }
         let gradient = match self.model.coupling().filter(|_| self.reduction.mimic) {
@@ -188,7 +189,7 @@ impl<'m> Evaluator<'m> {
 
     /// The motion of all DoFs when those of the study move by `x`: mimic joints follow, a removed base floats along.
     ///
-    /// Errors: [`Error`] if q or x does not fit.
+    /// Errors: [`Error`] if q or x does not fit, or the base has no inertia.
     pub fn motion(&self, q: &[f64], x: &[f64]) -> Result<Vec<f64>, Error> {
         let expected = self.reduction.dofs(self.model).len();
         if x.len() != expected {
@@ -196,7 +197,7 @@ impl<'m> Evaluator<'m> {
         }
         // The matrix is needed only where a base floats along.
         let H = if self.reduction.base { mass_matrix(self.model, q)? } else { Matrix::zeros(0, 0) };
-        Ok(self.lifted(&H, x))
+        self.lifted(&H, x)
     }
 
     fn question(&self, metric: Metric<f64>) -> Question {
@@ -215,7 +216,7 @@ impl<'m> Evaluator<'m> {
     }
 
     /// The motion of all DoFs when those of the study move by x.
-    fn lifted(&self, H: &Matrix<f64>, x: &[f64]) -> Vec<f64> {
+    fn lifted(&self, H: &Matrix<f64>, x: &[f64]) -> Result<Vec<f64>, Error> {
         let mut v = if self.reduction.base { vec![0.0; BASE] } else { Vec::new() };
         v.extend(x);
         if let Some(coupling) = self.model.coupling().filter(|_| self.reduction.mimic) {
@@ -223,28 +224,18 @@ impl<'m> Evaluator<'m> {
         }
         if self.reduction.base {
             let momentum = H.times(&v);
-            let base = solve_base(H, &momentum[..BASE]);
+            let base = solve_base(H, momentum)?;
             v.iter_mut().zip(base).for_each(|(v, base)| *v -= base);
         }
-        v
+        Ok(v)
     }
 }
 
-/// H_bb⁻¹ b by elimination of the base's six columns.
-fn solve_base(H: &Matrix<f64>, b: &[f64]) -> Vec<f64> {
-    let mut A: Vec<Vec<f64>> = (0..BASE).map(|i| [&H.row(i)[..BASE], &[b[i]]].concat()).collect();
-    for k in 0..BASE {
-        for i in k + 1..BASE {
-            let ratio = A[i][k] / A[k][k];
-            for j in k..=BASE {
-                A[i][j] -= ratio * A[k][j];
-            }
-        }
-    }
-    let mut x = vec![0.0; BASE];
-    for k in (0..BASE).rev() {
-        let known: f64 = (k + 1..BASE).map(|j| A[k][j] * x[j]).sum();
-        x[k] = (A[k][BASE] - known) / A[k][k];
-    }
-    x
+/// H_bb⁻¹ b.
+fn solve_base(H: &Matrix<f64>, mut b: Vec<f64>) -> Result<Vec<f64>, Error> {
+    let mut H_bb = Cholesky::new(BASE);
+    H_bb.factor(&Matrix::from_fn(BASE, BASE, |i, j| H[(i, j)]))?;
+    b.truncate(BASE);
+    H_bb.solve(&mut b)?;
+    Ok(b)
 }

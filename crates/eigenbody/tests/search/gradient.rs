@@ -1,8 +1,10 @@
 use crate::robots::plan;
 use eigenbody::dynamics::Reduction;
+use eigenbody::model::JointSpec;
 use eigenbody::scalar::{Dd, Real, Scalar};
 use eigenbody::search::{Domain, Evaluator, Measure};
-use eigenbody::{Base, Metric, Model, conditioning};
+use eigenbody::spatial::{RigidInertia, Sym3, Vec3};
+use eigenbody::{Base, Error, Joint, Metric, Model, ModelBuilder, conditioning};
 
 /// The cost in double-double, from the matrix.
 fn cost(model: &Model<Dd>, q: &[Dd], reduction: Reduction, (metric, measure): (&Metric<f64>, Measure)) -> Dd {
@@ -53,4 +55,30 @@ fn gradients_are_the_rates_of_costs() {
             }
         }
     }
+}
+
+/// A free-floating motion has no momentum; without inertia of the whole there is none to speak of.
+#[test]
+fn motions_of_a_floating_base() {
+    let reduction = Reduction { base: true, mimic: false };
+    for seed in 0..12 {
+        let model: Model<f64> = plan::<f64>(900 + seed, 4).build(Base::Floating);
+        let x: Vec<f64> = (0..model.nv() - 6).map(|k| 1.0 - 0.3 * k as f64).collect();
+        let q = model.random(seed);
+        let evaluator = Evaluator::new(&model, reduction, Metric::Euclidean).unwrap();
+        let v = evaluator.motion(&q, &x).unwrap();
+        let H = eigenbody::mass_matrix(&model, &q).unwrap();
+        let momentum = H.times(&v);
+        // 200 ε κ(H_bb) at most; κ is below 1e3 on these
+        let largest = momentum.iter().chain(&v).fold(H.max_abs(), |m, x| m.max(x.abs()));
+        assert!(momentum[..6].iter().all(|p| p.abs() <= 2e5 * f64::EPSILON * largest), "{seed} {momentum:?}");
+    }
+    let mut builder = ModelBuilder::new("point");
+    let point = RigidInertia::from_com(1.0, Vec3::ZERO, Sym3::ZERO);
+    let [base, tip] = [builder.link("base", point), builder.frame("tip")];
+    builder.joint(JointSpec::new("turn", Joint::Revolute, base, tip));
+    let model: Model<f64> = builder.build(Base::Floating).unwrap();
+    let evaluator = Evaluator::new(&model, reduction, Metric::Euclidean).unwrap();
+    let error = evaluator.motion(&model.neutral(), &[1.0]).unwrap_err();
+    assert!(matches!(error, Error::NotPositiveDefinite(_)), "{error}");
 }
