@@ -90,7 +90,11 @@ fn write(loaded: &Loaded, mended: &Model<f64>, path: &Path, args: &CheckArgs) ->
         Written::Mjcf => write_mjcf(mended).map_err(written)?,
     };
     deliver(Some(path), |out| out.write_all(text.as_bytes()))?;
-    if format == Written::Urdf && mended.armature() != loaded.model.armature() {
+    let rotors = match own {
+        true => mended.armature() != loaded.model.armature(),
+        false => mended.armature().iter().any(|&a| a > 0.0),
+    };
+    if format == Written::Urdf && rotors {
         say("note: URDF has no armature: it is written as rotors of transmissions, which --rotors on adds");
     }
     if own && elsewhere(Path::new(args.model.model.trim()), path) {
